@@ -223,6 +223,17 @@ Prompt within_reach(Prompt prompt, const LabView& view, const PanelState& state)
     return {card.fold_id, *of == Card::sensors ? prompt.hint : "hint.unfold"};
 }
 
+// The selected vehicle as seen in the scene, window pixels; empty if it is not seen.
+Rect selected_in_scene(const LabView& view, Rect scene) {
+    const VehicleView* vehicle = selected_vehicle(view);
+    if (!vehicle || !view.camera_view) return {};
+    const maths::vec2 place{vehicle->x, vehicle->y};
+    const auto middle = project(*view.camera_view, place);
+    if (!middle || !scene.contains(middle->x, middle->y)) return {};
+    const float reach = 0.6f * kind_of(*view.now, *vehicle).body.length * pixels_per_metre(*view.camera_view, place);
+    return {middle->x - reach, middle->y - reach, 2 * reach, 2 * reach};
+}
+
 // A prompt may name a widget that is not in the window now: then nothing pulses, and the usual hint is shown. The
 // toolbar and sheets are drawn later.
 std::string_view shown_hint(const Prompt& prompt, const Ui& ui) {
@@ -262,6 +273,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     }
     ui.decimal_mark = decimal_mark(ui.strings);
     ui.tooltips = &state.tooltips;
+    state.tooltips.kept_free = selected_in_scene(view, layout.scene);
     ui.quiet = view.lecture;
     ui.finger = finger_height(view, ui.scale);
     ui.least_type = view.lecture ? lecture_type_share * layout.window.h : 0;

@@ -313,6 +313,58 @@ TEST(Item, KeepsItsTooltipInsideTheWindow) {
             }
 }
 
+// Each widget of an exercise and of a scene, with the vehicle where the tooltip would be.
+TEST(Item, HasATooltipThatCoversNeitherItNorTheVehicle) {
+    int tooltips = 0;
+    for (const bool has_exercise : {false, true})
+        for (const auto& [width, height] : {std::pair{800.0f, 600.0f}, {1280.0f, 800.0f}}) {
+            Desk desk(width, height, 1, true);
+            if (has_exercise) desk.open_exercise();
+            desk.frame(4);
+            Camera camera;
+            camera.mode = CameraMode::birds_eye;
+            const CameraView sight =
+                look(camera, desk.now.scene->arena, nullptr, desk.layout.window, desk.layout.scene);
+            desk.view.camera_view = &sight;
+            for (const Shown& each : std::vector<Shown>(desk.shown)) {
+                const Rect* item = desk.anchors.find(each.id);
+                if (!each.has_tooltip || !item || item->w < 8 || item->h < 8) continue;
+                desk.now.vehicles[0].x = desk.now.vehicles[0].y = 0;
+                for (const bool is_beside : {false, true}) {
+                    desk.point(300, 300);
+                    desk.frame(2);
+                    desk.point(item->x + item->w / 2, item->y + item->h / 2);
+                    desk.frame(40);
+                    const Rect* tooltip = desk.anchors.find("tooltip");
+                    if (!tooltip) break;
+                    ++tooltips;
+                    const Rect vehicle = desk.panels.tooltips.kept_free;
+                    EXPECT_FALSE(tooltip->overlaps(*desk.anchors.find(each.id))) << each.id << " at " << width;
+                    EXPECT_FALSE(tooltip->overlaps(vehicle)) << each.id << " at " << width;
+                    const auto beside = unproject(sight, {tooltip->x + tooltip->w / 2, tooltip->y + tooltip->h / 2});
+                    if (is_beside || !beside) break;
+                    desk.now.vehicles[0].x = beside->x, desk.now.vehicles[0].y = beside->y;
+                }
+            }
+        }
+    EXPECT_GT(tooltips, 60);
+}
+
+TEST(Item, HasNoTooltipWhileTheMouseButtonIsDown) {
+    Desk desk(800, 600, 1, true);
+    desk.frame(4);
+    const Rect slider = desk.where("slider.LL");
+    desk.point(slider.x + slider.w / 2, slider.y + slider.h / 2);
+    desk.frame(40);
+    ASSERT_TRUE(desk.anchors.find("tooltip"));
+    desk.button(0, true);
+    for (int i = 0; i < 60; ++i) {
+        desk.point(slider.x + slider.w / 2 + static_cast<float>(i % 7), slider.y + slider.h / 2);
+        desk.frame(2);
+        EXPECT_FALSE(desk.anchors.find("tooltip")) << i;
+    }
+}
+
 TEST(Item, WhatAHintPointsAtHasALightBulbAndTheKeyboardFocusHasNone) {
     const auto has_bulb = [](Desk& desk) {
         const Rect slider = desk.where("slider.LL");

@@ -54,9 +54,9 @@ Rect ring(const Ui& ui, Rect whole, Colour colour, RingRoom room, float thicknes
     return line;
 }
 
-// The upper left corner of a tooltip: beside the card, so that it does not cover other widgets; beside the rows of a
-// sheet where there is room; below or above the buttons of the toolbar. Always inside the window if it fits into it.
-ImVec2 tooltip_place(const Ui& ui, const Item& item, ImVec2 size) {
+// The usual upper left corner of a tooltip: beside the card, so that it does not cover other widgets; beside the rows
+// of a sheet where there is room; below or above the buttons of the toolbar.
+ImVec2 usual_tooltip_place(const Ui& ui, const Item& item, ImVec2 size) {
     const ImVec2 window = ImGui::GetIO().DisplaySize, card = ImGui::GetWindowPos();
     const float card_width = ImGui::GetWindowWidth(), away = ui.px(24), edge = ui.px(4);
     const float left = card.x - away - size.x, right = card.x + card_width + away / 2;
@@ -71,10 +71,34 @@ ImVec2 tooltip_place(const Ui& ui, const Item& item, ImVec2 size) {
         const bool above = item.rect.y > window.y / 2;
         at = {item.middle_x() - size.x / 2, above ? item.rect.y - ui.px(10) - size.y : item.bottom() + ui.px(10)};
     }
+    return at;
+}
+
+// Where a tooltip of this size is: at its usual place, else above or below what is kept free, else beside, below or
+// above the item; the first place that covers neither of both. Always inside the window if it fits into it.
+Rect tooltip_place(const Ui& ui, const Item& item, ImVec2 size) {
+    const ImVec2 window = ImGui::GetIO().DisplaySize, usual = usual_tooltip_place(ui, item, size);
+    const float edge = ui.px(4), away = ui.px(10);
     const auto inside = [edge](float low, float length, float room) {
-        return std::max(edge, std::min(low, room - edge - length));
+        return std::floor(std::max(edge, std::min(low, room - edge - length)));
     };
-    return {std::floor(inside(at.x, size.x, window.x)), std::floor(inside(at.y, size.y, window.y))};
+    const Rect free = ui.tooltips ? ui.tooltips->kept_free : Rect{};
+    const float x = item.middle_x() - size.x / 2, y = item.middle_y() - size.y / 2;
+    const float over = free.w > 0 ? free.y - away - size.y : usual.y,
+                under = free.w > 0 ? free.y + free.h + away : over;
+    const auto placed = [&](ImVec2 at) {
+        return Rect{inside(at.x, size.x, window.x), inside(at.y, size.y, window.y), size.x, size.y};
+    };
+    Rect covers_no_item = placed(usual);
+    for (const ImVec2 at : {usual, ImVec2{usual.x, over}, ImVec2{usual.x, under}, ImVec2{item.right() + away, y},
+                            ImVec2{item.rect.x - away - size.x, y}, ImVec2{x, item.bottom() + away},
+                            ImVec2{x, item.rect.y - away - size.y}}) {
+        const Rect place = placed(at);
+        if (place.overlaps(item.rect)) continue;
+        if (!place.overlaps(free)) return place;
+        if (covers_no_item.overlaps(item.rect)) covers_no_item = place;
+    }
+    return covers_no_item;
 }
 
 // Size of the words of a tooltip, wrapped at `width`.
@@ -198,7 +222,8 @@ void hint_badge(const Ui& ui, ImDrawList& draw, ImVec2 middle, float layout_radi
 
 void tooltip(Ui& ui, const Item& item, std::string_view words, std::string_view shortcut) {
     if (ui.shown && item.shown >= 0) (*ui.shown)[static_cast<std::size_t>(item.shown)].has_tooltip |= !words.empty();
-    if (ui.quiet || !item.hovered || item.held || words.empty() || (ui.tooltips && ui.tooltips->hidden)) return;
+    const bool is_hidden = ImGui::IsMouseDown(0) || (ui.tooltips && ui.tooltips->hidden);
+    if (ui.quiet || !item.hovered || item.held || words.empty() || is_hidden) return;
     // Hidden after 9 s and after a click.
     constexpr float hide_after = 9;
     const float hovered = compat::hovered_seconds();
@@ -211,8 +236,10 @@ void tooltip(Ui& ui, const Item& item, std::string_view words, std::string_view 
     const float width = std::min(ui.px(280), widest) + 1;
     const ImVec2 main = size_of_words(ui, words, width), extra = size_of_words(ui, shortcut, width);
     const float height = main.y + (shortcut.empty() ? 0 : space + extra.y);
-    ImGui::SetNextWindowPos(
-        tooltip_place(ui, item, {std::max(main.x, extra.x) + 2 * padding.x + 1, height + 2 * padding.y + 1}));
+    const Rect place =
+        tooltip_place(ui, item, {std::max(main.x, extra.x) + 2 * padding.x + 1, height + 2 * padding.y + 1});
+    ui.anchors.record("tooltip", place);
+    ImGui::SetNextWindowPos({place.x, place.y});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, space});
     ImGui::BeginTooltip();

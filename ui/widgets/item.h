@@ -60,7 +60,9 @@ void reveal(const Ui&, float top, float bottom);
 inline bool wants_tooltip(const Ui& ui, const Item& item) { return (item.hovered && !item.held) || ui.shown; }
 
 // Words and shortcut, shown when the pointer has rested for 0.5 s, or at once if another tooltip was visible just
-// before. Not shown from a key until the pointer moves: the key may have moved the widget below the pointer.
+// before. Not shown from a key until the pointer moves: the key may have moved the widget below the pointer. Nor while
+// the left button is down: what is dragged is watched. Covers neither the item nor Tooltips::kept_free where the window
+// has room elsewhere. Anchor: tooltip.
 void tooltip(Ui&, const Item&, std::string_view words, std::string_view shortcut = {});
 
 // An eased value that moves to `target` (0..1) within `seconds`. Dear ImGui stores it under the id.

@@ -54,11 +54,12 @@ struct Shown {
     bool enabled = true;
 };
 
-// When tooltips are due: a pointer rests, or another tooltip was visible just before.
+// When tooltips are due: a pointer rests, or another tooltip was visible just before. And what they do not cover.
 struct Tooltips {
     double moved_at = 0;   // ImGui::GetTime() of the pointer's last movement
     double shown_at = -1;  // and of the last frame with a tooltip
     bool hidden = false;   // since a key or the left button was pressed, until the pointer moves
+    Rect kept_free;        // the selected vehicle as seen in the scene, window pixels; empty: none
 };
 
 // Where the ring and the light bulb of a hint are, window pixels.
