@@ -265,6 +265,35 @@ bool is_cut_off(const Written& text) { return text.rect.y + text.rect.h > text.c
 
 }  // namespace
 
+// What a badge of a prompt covers cannot be read: neither the sign of a folded card nor the number beside a pin.
+TEST(ExercisesLayout, TheBadgeOfWhatPulsesCoversNoText) {
+    int badges = 0;
+    for (const std::string& language : shipped_codes())
+        for (const Exercise& exercise : course())
+            for (const auto& window : common_windows)
+                for (const char* state : {"asks", "plays", "wires"}) {
+                    SCOPED_TRACE(exercise.id + " " + language + " " + std::to_string(window.first) + " " + state);
+                    Played it(exercise, language, window, 0);
+                    if (state == std::string("asks"))
+                        it.desk.lesson.attempt = {}, it.desk.lesson.at_start = true, it.desk.view.mode = Mode::paused;
+                    if (state == std::string("wires")) it.desk.view.mode = Mode::wiring;
+                    it.desk.frame(8);
+                    it.desk.pointed_out = {};
+                    it.desk.frame(1);
+                    const Rect bulb = it.desk.pointed_out.bulb;
+                    if (bulb.w <= 0) continue;
+                    ++badges;
+                    for (const Written& each : it.desk.written) {
+                        const float letters = 0.2f * each.rect.h;  // above and below them the line is empty
+                        const Rect seen{each.rect.x, each.rect.y + letters, each.rect.w, each.rect.h - 2 * letters};
+                        if (each.words != icon::hint && seen.y < each.clip.y + each.clip.h && each.clip.overlaps(seen))
+                            EXPECT_FALSE(bulb.overlaps(seen))
+                                << each.words << " by that of " << it.desk.panels.prompts.highlight.anchor;
+                    }
+                }
+    EXPECT_GT(badges, 100);
+}
+
 TEST(ExercisesLayout, WhyTheAnswerIsLockedIsReadWholeOrNotAtAllInASmallWindow) {
     int notes = 0;
     for (const std::string& language : shipped_codes())

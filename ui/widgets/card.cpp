@@ -77,7 +77,9 @@ void heading_row(Ui& ui, CardState& state, std::string_view words, Rect r, std::
     if (!state.folded)
         for (HeadingButton& extra : extras) right = heading_button(ui, extra, left, right, r.y) - ui.px(6);
     ImGui::SetCursorScreenPos({r.x, r.y});
-    const Item row = item(ui, state.fold_id, {r.w, std::min(r.h, ui.px(ui.tall(card_heading)))});
+    constexpr float fold_sign = 12;  // layout pixels, with the space before it
+    const Item row = item(ui, state.fold_id, {r.w, std::min(r.h, ui.px(ui.tall(card_heading)))}, true,
+                          {around_button.across, around_button.down, padding + fold_sign});
     const Colour colour = mix(ui.palette.second_text, ui.palette.text, row.warmth);
     const float y = row.rect.y + row.rect.h / 2;
     const float begin = r.x + ui.px(padding);

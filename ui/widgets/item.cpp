@@ -186,19 +186,20 @@ void point_out(const Ui& ui, Rect rect, RingRoom room) {
 
     // In the card's margin the badge covers no text of the row above.
     const float right = rect.x + rect.w;
-    const bool reaches_the_margin = high.x - right <= ui.px(spacing::large);
-    const float radius = ui.px(reaches_the_margin ? in_margin : hint_badge_radius);
+    const bool has_sign = room.before_sign > 0, reaches_the_margin = high.x - right <= ui.px(spacing::large);
+    const float radius = ui.px(has_sign || reaches_the_margin ? in_margin : hint_badge_radius);
     const Rect card = grown(card_rect(), -radius - ui.px(1), -radius - ui.px(1));
     ImVec2 middle = reaches_the_margin ? ImVec2{card.x + card.w,
                                                 std::min(line.y + line.h / 2, line.y + radius + ui.px(spacing::tight))}
                                        : ImVec2{right + 0.25f * radius, rect.y + 0.1f * radius};
-    // The heading of a folded card has its sign in that margin: there the badge is on the card's upper edge.
-    const bool is_whole_card = rect.h >= card_rect().h - 1;
-    // On a thing as small as the badge, such as a pin, it would hide it.
+    // On a thing as small as the badge, such as a pin, it would hide it: there it is outside of the node.
     const bool is_small = std::max(rect.w, rect.h) < 3 * radius;
-    if (is_small) middle = {rect.x + rect.w / 2, line.y - radius - ui.px(spacing::tight)};
+    if (is_small)
+        middle = {ui.highlight.ends_with(".in") ? rect.x - 0.6f * radius : right + 0.6f * radius,
+                  line.y + line.h + radius};
     middle.x = std::clamp(middle.x, card.x, std::max(card.x, card.x + card.w));
-    middle.y = is_whole_card ? rect.y - ui.px(2) : std::clamp(middle.y, card.y, std::max(card.y, card.y + card.h));
+    middle.y = std::clamp(middle.y, card.y, std::max(card.y, card.y + card.h));
+    if (has_sign) middle = {right - ui.px(room.before_sign) - radius, rect.y + rect.h / 2};
     hint_badge(ui, draw, middle, radius / ui.scale);
     if (ui.pointed_out) *ui.pointed_out = {line, {middle.x - radius, middle.y - radius, 2 * radius, 2 * radius}};
 }

@@ -32,6 +32,7 @@ struct Item {
 // words; the words of a part that is not a widget, and those of a slider's row, begin at its edge.
 struct RingRoom {
     float across, down;
+    float before_sign = 0;  // of a heading with a sign at its right end: the width of the sign with its margin
 };
 inline constexpr RingRoom around_button{spacing::hair, spacing::hair}, around_words{spacing::small, spacing::tight},
     around_row{spacing::small, 0};
@@ -43,8 +44,8 @@ Item item(Ui&, std::string_view id, ImVec2 size, bool enabled = true, RingRoom =
 void mark(Ui&, std::string_view id, Rect, RingRoom = around_words);
 
 // What a hint is about: a wash over the rectangle, a ring that widens with Ui::pulse, and the light bulb of the hint
-// bar at its upper right corner; a smaller bulb where it reaches the margin of its card. Ring and bulb stay inside the
-// card.
+// bar at its upper right corner; a smaller bulb where it reaches the margin of its card, and before the sign of a
+// heading. Beside a pin the bulb is outside of its node, below the number. Ring and bulb stay inside the card.
 // The keyboard focus is a thin ring without a wash and a bulb.
 void point_out(const Ui&, Rect, RingRoom = around_button);
 
