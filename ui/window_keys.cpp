@@ -178,6 +178,17 @@ bool has_other_vehicle(const LabView& view) {
     });
 }
 
+// Moves the focus to the folded card that pulses, which Enter then unfolds. False if none does.
+bool focus_folded_card(PanelState& state) {
+    const std::string& anchor = state.prompts.highlight.anchor;
+    const bool is_folded_card = std::any_of(state.cards.begin(), state.cards.end(), [&](const CardState& card) {
+        return card.folded && !card.fold_id.empty() && card.fold_id == anchor;
+    });
+    if (!is_folded_card) return false;
+    state.keyboard.focus = anchor, state.keyboard.revealed = true;
+    return true;
+}
+
 // Actions for what a lecture does not show. The key of a hint works where its page shows the exercise.
 bool is_left_out(const LabView& view, const PanelState& state, Action action) {
     if (!view.lecture) return false;
@@ -290,6 +301,7 @@ bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& o
     const bool on_a_card = action_for(press) == Action::lesion && !state.brain.lesion_under_pointer.empty();
     if (view.mode == Mode::wiring && !on_a_card && key_for_canvas(state.canvas, press)) return true;
     if (const auto action = action_for(press)) {
+        if (*action == Action::next_vehicle && focus_folded_card(state)) return true;
         if (selects_vehicle(*action) && !has_other_vehicle(view))
             state.keyboard.presses.push_back(press);
         else

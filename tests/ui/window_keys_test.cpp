@@ -75,4 +75,28 @@ TEST(WindowKeys, GiveATextFieldWhatIsPastedThere) {
     EXPECT_FALSE(desk.last<OpenRequest>());
 }
 
+// Also where Tab selects the next vehicle.
+TEST(WindowKeys, TabGoesToTheFoldedCardThatPulsesAndEnterUnfoldsIt) {
+    Desk desk(800, 600, 1, true);
+    desk.open_exercise();
+    desk.now = snapshot(4);
+    desk.lesson.attempt.work.has_run = true, desk.lesson.attempt.answers.prediction = 0;
+    desk.view.mode = Mode::playing;
+    desk.opened.hints = {{"Lower it.", "slider.LL"}};
+    desk.lesson.attempt.answers.hints_shown = 1;
+    desk.panels.card(Card::brain).folded = true;
+    desk.frame(6);
+    ASSERT_EQ(desk.panels.prompts.highlight.anchor, "card.brain.fold");
+    desk.key({key::tab});
+    desk.frame(2);
+    EXPECT_EQ(desk.panels.keyboard.focus, "card.brain.fold");
+    EXPECT_TRUE(desk.all.empty()) << "no other vehicle is selected";
+    desk.key({key::enter});
+    desk.frame(4);
+    EXPECT_FALSE(desk.panels.card(Card::brain).folded);
+    desk.panels.keyboard.focus.clear();
+    desk.key({key::tab});
+    EXPECT_EQ(desk.actions().size(), 1u) << "nothing is folded that pulses";
+}
+
 }  // namespace braitenlab::tests::window_keys_test
