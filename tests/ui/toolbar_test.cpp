@@ -144,6 +144,33 @@ TEST(Toolbar, TellsOfAPauseWhileASheetIsOpenAndOfTheClipThatIsWritten) {
 }
 
 // Speed and status are in a second row; all buttons that are shown are in the window, and the menus' titles.
+TEST(Toolbar, ShowsThatATickWasMadeOrTakenBackInAPause) {
+    for (const bool still : {false, true}) {
+        Desk desk(800, 600, 1, true);
+        desk.view.program.reduce_motion = still;
+        desk.now.tick = 217, desk.now.seconds = 217 / 60.0;
+        desk.view.timeline.latest = 300;
+        desk.frame(60);
+        EXPECT_FALSE(desk.anchors.find("time.step"));
+        EXPECT_TRUE(desk.says("3.62 s"));
+        for (const std::uint64_t tick : {218u, 217u}) {
+            desk.now.tick = tick, desk.now.seconds = static_cast<double>(tick) / 60;
+            desk.frame(2);
+            EXPECT_TRUE(desk.anchors.find("time.step")) << tick;
+            EXPECT_TRUE(desk.says(tick == 218 ? "3.63 s" : "3.62 s"));
+            desk.frame(60);
+            EXPECT_FALSE(desk.anchors.find("time.step")) << tick;
+        }
+        desk.now.tick = 0, desk.now.seconds = 0;
+        desk.frame(2);
+        EXPECT_FALSE(desk.anchors.find("time.step")) << "a reset is no step";
+        desk.view.mode = Mode::playing;
+        desk.now.tick = 1;
+        desk.frame(2);
+        EXPECT_FALSE(desk.anchors.find("time.step")) << "a run is no step";
+    }
+}
+
 TEST(Toolbar, HasTwoRowsInAnUprightWindow) {
     for (const std::string& code : shipped_codes())
         for (const float width : {410.0f, 512.0f, 640.0f}) {

@@ -2,6 +2,8 @@
 // one. In a narrow window, first the type and the gaps are smaller, then words are left out, the least important group
 // first, and at last the buttons at the end, which the menus have, too. Tooltips always show the words.
 #include <cmath>
+#include <cstdint>
+#include <cstdlib>
 #include <optional>
 #include <string>
 #include <vector>
@@ -131,7 +133,23 @@ float speed_control(const LabView& view, Ui& ui, float x, Rect bar) {
     return x;
 }
 
-// The state as a coloured word with its sign, and the simulated time.
+// How strongly the clock is marked because a tick was made or taken back in a pause: 1 at once, then less, 0 after a
+// while. Dear ImGui stores the tick and the moment.
+float mark_of_step(const LabView& view, const Ui& ui) {
+    constexpr double seconds = 0.6;
+    ImGuiStorage& memory = *ImGui::GetStateStorage();
+    const ImGuiID of_tick = ImGui::GetID("tick"), since = ImGui::GetID("step since");
+    const int tick = static_cast<int>(view.now->tick), before = memory.GetInt(of_tick, tick);
+    memory.SetInt(of_tick, tick);
+    if (view.mode == Mode::paused && std::abs(tick - before) == 1)
+        memory.SetFloat(since, static_cast<float>(ImGui::GetTime()));
+    const double begun = memory.GetFloat(since, -1), age = ImGui::GetTime() - begun;
+    if (view.mode != Mode::paused || begun < 0 || age > seconds) return 0;
+    return ui.still ? 1 : static_cast<float>(1 - age / seconds);
+}
+
+// The state as a coloured word with its sign, and the simulated time: in a pause between two tenths with one digit
+// more, so that each tick changes it.
 // No time passes while a sheet is open.
 void status_pill(const LabView& view, const PanelState& state, Ui& ui, float x, float layout_width, Rect bar) {
     const Palette& p = ui.palette;
@@ -159,9 +177,19 @@ void status_pill(const LabView& view, const PanelState& state, Ui& ui, float x, 
              colour, Face::small);
     put(ui, {left + icon_room, middle - line_height(ui, face) / 2}, words, colour, face);
     mark(ui, "mode", pill);
-    const std::string time = fill(ui.strings("time.seconds"), {fixed(ui, static_cast<float>(view.now->seconds), 1)});
+    constexpr std::uint64_t tenth = 6;  // ticks
+    const int decimals = view.mode == Mode::paused && view.now->tick % tenth != 0 ? 2 : 1;
+    const std::string time =
+        fill(ui.strings("time.seconds"), {fixed(ui, static_cast<float>(view.now->seconds), decimals)});
     const Rect clock{pill.x + pill.w + ui.px(8), pill.y, ui.px(layout_width - 112), pill.h};
     const float raised = view.pace ? line_height(ui, Face::small) / 2 : 0;
+    if (const float strength = mark_of_step(view, ui); strength > 0) {
+        const float w = text_width(ui, Face::text, time) + ui.px(2 * spacing::small);
+        const Rect box{clock.x + clock.w - w + ui.px(spacing::small), clock.y, w, clock.h};
+        fill_box(ui, box, p.accent.with_alpha(0.3f * strength));
+        line_box(ui, box, p.accent.with_alpha(strength));
+        mark(ui, "time.step", box);
+    }
     put_right(ui, {clock.x + clock.w, middle - line_height(ui, Face::text) / 2 - raised}, time, p.text);
     if (view.pace) {  // the computer is too slow for the requested speed
         const std::string pace = fill(ui.strings("time.pace"), {fixed(ui, *view.pace, *view.pace < 0.095f ? 2 : 1)});
