@@ -29,6 +29,25 @@ TEST_F(SceneInput, FindsTheObjectUnderThePointerAndSetsTheCursor) {
     EXPECT_EQ(scene_input().hovered.object, vehicle_object(0));
 }
 
+// A thin wall between two lines of the colour of text would look black in the light theme.
+TEST_F(SceneInput, MarksWhatIsUnderThePointerInTheColourOfTheAccent) {
+    for (const Theme theme : {Theme::dark, Theme::light}) {
+        desk.view.program.theme = theme;
+        const auto count = [](Colour colour) {
+            const ImU32 rgb = paint(colour) & 0xFFFFFF;
+            int vertices = 0;
+            for (const ImDrawVert& vertex : ImGui::GetBackgroundDrawList()->VtxBuffer)
+                vertices += (vertex.col & 0xFFFFFF) == rgb;
+            return vertices;
+        };
+        rest_pointer();
+        const int accent = count(palette(theme).accent), second = count(palette(theme).second_text);
+        point({3, 6});
+        EXPECT_GT(count(palette(theme).accent), accent);
+        EXPECT_EQ(count(palette(theme).second_text), second);
+    }
+}
+
 TEST_F(SceneInput, SelectsByAClickAndMovesNothing) {
     click({-4.5f, 0});
     ASSERT_EQ(requests<SelectRequest>().size(), 1u);

@@ -37,7 +37,7 @@ public:
         const SceneObject& hovered = state_.hovered.object;
         const bool idle = state_.drag.phase == SceneInputPhase::idle;
         if (idle && !state_.hovered.handle && hovered != frame_.view.settings.selection.object)
-            mark_object(hovered, ui_.palette.second_text, 1.5f);
+            mark_object(hovered, ui_.palette.accent, 1.5f);  // a dark line would look like a dark wall
         if (const auto handle = handle_of(state_, frame_)) draw_handle(*handle);
         if (state_.drag.phase == SceneInputPhase::move || state_.drag.phase == SceneInputPhase::turn) note_pose();
         if (state_.tool != SceneInputTool::hand) draw_tool();
