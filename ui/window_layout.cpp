@@ -250,6 +250,18 @@ void tools_beside(WindowLayout& l, float size, float margin) {
     l.scene.x += wide + margin, l.scene.w -= wide + margin;
 }
 
+// The room of the tools: beside the folded cards above the scene where they fit, so that they cover none of it, else
+// the scene.
+Rect room_of_tools(const WindowLayout& l, float finger, float top, float margin) {
+    const float size = std::max(tool_size, finger), strip = l.scene.y - margin - top;
+    const float row = (static_cast<float>(tool_words.size()) * size + 2 * tool_pad) * l.scale;
+    const float end_of_left = l.left.x + l.left.w + margin, end_of_scene = l.scene.x + l.scene.w;
+    const float from = l.left.w > 0 ? std::max(l.scene.x, end_of_left) : l.scene.x;
+    const float until = l.right.w > 0 ? std::min(end_of_scene, l.right.x - margin) : end_of_scene;
+    const bool fits = strip >= (size + 2 * tool_pad) * l.scale && until - from >= row;
+    return fits ? Rect{from, top, until - from, strip} : l.scene;
+}
+
 // In a lecture open cards of both columns are in one, so that the scene keeps half of the width.
 void share_column(WindowLayout& l, float margin) {
     const float half = (l.window.w - 3 * margin) / 2;
@@ -381,7 +393,8 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
     if (upright && view.mode != Mode::wiring && l.tools.w <= 0 && !view.program.touch)
         tools_beside(l, std::max(tool_size, finger), margin);
     if (watches) split_for_canvas(l, view, margin, open.right);
-    if (l.tools.w <= 0) l.tools = l.scene;
+    const bool may_be_beside_cards = !upright && !view.lecture && view.mode != Mode::wiring;
+    if (l.tools.w <= 0) l.tools = may_be_beside_cards ? room_of_tools(l, finger, top, margin) : l.scene;
     l.exercise_on_right = view.lesson && l.left.w <= 0 && !view.lecture;
     return l;
 }

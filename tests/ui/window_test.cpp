@@ -428,6 +428,32 @@ TEST(WindowLayout, TheToolsOfASmallWindowCoverNothingOfTheScene) {
     }
 }
 
+TEST(WindowLayout, HasTheToolsBesideFoldedCardsWhereTheSceneIsBelowThem) {
+    int beside = 0;
+    for (const Size& w : {Size{800, 600, 1}, {1280, 800, 1}, {1600, 1200, fitting_scale(2, {0, 0, 1600, 1200}, false)}})
+        for (const bool exercise : {false, true}) {
+            Desk desk(w.width, w.height, w.scale, true);
+            if (exercise) desk.open_exercise();
+            desk.frame(4);
+            Camera camera;
+            const CameraView sight =
+                look(camera, desk.now.scene->arena, nullptr, desk.layout.window, desk.layout.scene);
+            desk.view.camera_view = &sight;
+            for (const Card card : {Card::brain, Card::information, Card::scene}) desk.panels.card(card).folded = true;
+            desk.frame(6);
+            const Rect &scene = desk.layout.scene, first = desk.where("tool.hand"), last = desk.where("tool.ruler");
+            if (scene.y < desk.layout.right.y + 50 * w.scale) continue;
+            ++beside;
+            EXPECT_FALSE(overlap(first, scene)) << w.width;
+            EXPECT_FALSE(overlap(last, scene)) << w.width;
+            for (const char* card : {"card.brain", "card.information", "card.scene", "card.exercise"})
+                if (const Rect* at = desk.anchors.find(card)) {
+                    EXPECT_FALSE(overlap(first, *at) || overlap(last, *at)) << card << " " << w.width;
+                }
+        }
+    EXPECT_GT(beside, 1);
+}
+
 TEST(WindowLayout, HasTheCardsOfAnUprightWindowBelowTheSceneAndTheDiagram) {
     for (const bool exercise : {false, true})
         for (const Mode mode : {Mode::paused, Mode::wiring}) {
