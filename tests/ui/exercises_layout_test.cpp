@@ -335,6 +335,25 @@ TEST(ExercisesLayout, NoTextIsCutAtTwiceTheScale) {
     EXPECT_GT(texts, 2000);
 }
 
+TEST(ExercisesLayout, NoTextOfTheInspectorIsCutInASmallWindow) {
+    int texts = 0;
+    for (const std::string& language : shipped_codes())
+        for (const Exercise& exercise : course()) {
+            SCOPED_TRACE(exercise.id + " " + language);
+            Played it(exercise, language, {800.0f, 600.0f}, 0);
+            it.desk.view.mode = Mode::wiring;
+            it.desk.frame(8);
+            const Rect* card = it.desk.anchors.find("card.inspector");
+            if (!card) continue;
+            for (const Written& each : it.desk.written) {
+                if (!card->contains(each.rect.x + 1, each.rect.y + 1)) continue;
+                EXPECT_FALSE(is_cut_off(each)) << each.words;
+                ++texts;
+            }
+        }
+    EXPECT_GT(texts, 200);
+}
+
 TEST(ExercisesLayout, TheStepsAreInSightInTheWiringEditorOfASmallWindow) {
     for (const Exercise& exercise : course())
         for (const SmallWindow& w : small_windows) {

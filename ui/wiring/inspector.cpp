@@ -147,9 +147,10 @@ void show_nothing(Inspected& in) {
         counted(in, wires, "inspector.one_wire", "inspector.wires");
     paragraph(in.ui, in.words("inspector.nothing"), in.ui.palette.text, Face::text);
     paragraph(in.ui, counts, in.ui.palette.second_text, Face::small);
-    const bool room = ImGui::GetContentRegionAvail().y >= line_height(in.ui, Face::small);
-    if (room && !in.view.program.touch)
-        paragraph(in.ui, in.words("inspector.keys"), in.ui.palette.second_text, Face::small);
+    const std::string_view keys = in.words("inspector.keys");
+    const auto lines = static_cast<float>(lines_of_words(in.ui, keys, Face::small, card_width(in.ui)).size());
+    const bool has_room = ImGui::GetContentRegionAvail().y >= lines * line_height(in.ui, Face::small);
+    if (has_room && !in.view.program.touch) paragraph(in.ui, keys, in.ui.palette.second_text, Face::small);
 }
 
 void show(Inspected& in) {
