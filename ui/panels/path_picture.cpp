@@ -1,5 +1,6 @@
 #include "ui/panels/path_picture.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <imgui.h>
@@ -25,7 +26,8 @@ void draw_path(const Ui& ui, const std::vector<maths::vec2>& path, const Arena& 
         last = at;
     }
     draw.PathStroke(colour, 0, ui.px(1.5f));
-    draw.AddCircleFilled(map(path.front()), ui.px(2), colour);
+    constexpr float share = 0.045f, least = 2.5f, most = 4;  // radius: of the picture's width; layout pixels
+    draw.AddCircleFilled(map(path.front()), std::clamp(share * map.place.w, ui.px(least), ui.px(most)), colour);
 }
 
 void draw_fall(const Ui& ui, ImVec2 at, ImU32 colour) {

@@ -97,15 +97,21 @@ bool shows_other_starts(const Exercise& exercise, const SelectionView& selection
                          [&](const auto& run) { return !has_fallen(exercise, run); }) > 1;
 }
 
-// A dot for each other start, filled where the child stays. `at`: the left end, in the middle of the line.
+// A dot for each other start: filled where the child stays, with × where it falls. `at`: the left end, in the middle of
+// the line.
 void draw_stays(Ui& ui, ImVec2 at, int stays, std::string_view anchor) {
-    const float radius = ui.px(6), step = ui.px(16);
+    const float radius = ui.px(6), step = ui.px(16), arm = ui.px(3);
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
     for (int i = 0; i < other_starts; ++i) {
         const ImVec2 centre{at.x + radius + static_cast<float>(i) * step, at.y};
-        if (i < stays)
-            ImGui::GetWindowDrawList()->AddCircleFilled(centre, radius, paint(ui.palette.success));
-        else
-            ImGui::GetWindowDrawList()->AddCircle(centre, radius, paint(ui.palette.second_text), 0, ui.px(1));
+        if (i < stays) {
+            draw.AddCircleFilled(centre, radius, paint(ui.palette.success));
+            continue;
+        }
+        const ImU32 ink = paint(ui.palette.text);
+        draw.AddCircle(centre, radius, ink, 0, ui.px(1));
+        draw.AddLine({centre.x - arm, centre.y - arm}, {centre.x + arm, centre.y + arm}, ink, ui.px(1.5f));
+        draw.AddLine({centre.x - arm, centre.y + arm}, {centre.x + arm, centre.y - arm}, ink, ui.px(1.5f));
     }
     mark(ui, anchor, {at.x, at.y - radius, step * other_starts, 2 * radius});
 }
