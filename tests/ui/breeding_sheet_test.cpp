@@ -470,6 +470,7 @@ TEST_F(BreedingDesk, ShowsTheChampionsOfThePanelWhileItIsBred) {
     view.runs = view.watches_by_itself = view.watches_panel = true;
     desk.frame(3);
     EXPECT_TRUE(desk.says(fill(desk.strings("breeding.panel_duel"), {"7"})));
+    EXPECT_TRUE(desk.says(desk.strings("breeding.empty_panel").substr(0, 18))) << "why there is no matrix yet";
     EXPECT_FALSE(desk.says(desk.strings("breeding.nearest_start"))) << "there is no cell";
     const std::size_t before = desk.all.size();
     desk.click("breeding.match");

@@ -53,12 +53,21 @@ public:
         react(area);
         line_box(ui_, field_, ui_.palette.line, Corner::square);
         legend();
-        if (matrix_.size() == 0)
-            put_lines(ui_, {field_.x + ui_.px(spacing::small), field_.y + field_.h / 2}, ui_.strings("breeding.empty"),
-                      ui_.palette.second_text, Face::small, field_.w - ui_.px(spacing::large), 3);
+        if (matrix_.size() == 0) say_what_comes_first();
     }
 
 private:
+    // In the middle of the field.
+    void say_what_comes_first() const {
+        constexpr std::size_t most = 6;  // lines
+        const std::string_view words = ui_.strings(breeds_panel(view_) ? "breeding.empty_panel" : "breeding.empty");
+        const float width = field_.w - ui_.px(spacing::large), line = line_height(ui_, Face::small);
+        const std::size_t lines = std::min(most, lines_of_words(ui_, words, Face::small, width).size());
+        put_lines(ui_,
+                  {field_.x + ui_.px(spacing::small), field_.y + (field_.h - line * static_cast<float>(lines)) / 2},
+                  words, ui_.palette.second_text, Face::small, width, most);
+    }
+
     // While it grows, the cells keep their size.
     std::size_t places() const {
         const int wanted = view_.base->breeding().generations;

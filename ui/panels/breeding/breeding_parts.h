@@ -24,6 +24,7 @@ void breeding_duels(const LabView&, BreedingSheetState&, Ui&, Rect);
 
 // How far it is, and what the matrix shows, for each side that evolves, as items at the cursor. breeding_words.cpp
 void breeding_progress(const BreedingView&, Ui&);
+bool breeds_panel(const BreedingView&);                        // opponents to measure with are bred first
 std::string breeding_percent(const BreedingView&, const Ui&);  // "43 %, about 40 s left"; empty without a base
 void breeding_words(const BreedingView&, Ui&);
 // Of the words, whatever they will be: nothing moves while they change. With the space above them, window pixels.

@@ -127,8 +127,7 @@ std::string words_of_generation(const evolve::Breeding& breeding, int generation
 // "Generation 12 of 40".
 std::string words_of_progress(const BreedingView& view, const Ui& ui) {
     const evolve::Breeding& breeding = view.base->breeding();
-    const int panel = bred_of_panel(view);
-    if (panel < generations_of_panel(breeding) && (panel > 0 || view.runs)) return words_of_panel(breeding, panel, ui);
+    if (breeds_panel(view)) return words_of_panel(breeding, bred_of_panel(view), ui);
     return words_of_generation(breeding, std::max(0, last_generation(view)), ui);
 }
 
@@ -148,6 +147,11 @@ bool has_begun(const BreedingView& view) {
 }
 
 }  // namespace
+
+bool breeds_panel(const BreedingView& view) {
+    const int bred = bred_of_panel(view);
+    return bred < generations_of_panel(view.base->breeding()) && (bred > 0 || view.runs);
+}
 
 std::string breeding_percent(const BreedingView& view, const Ui& ui) {
     if (!view.base) return {};
