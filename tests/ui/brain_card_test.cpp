@@ -88,6 +88,20 @@ TEST(BrainCard, ItsPictureStaysWhileTheCauseOfATurnChanges) {
         }
 }
 
+TEST(BrainCard, SaysWhereTheShownNumbersHaveAnotherSum) {
+    for (const bool adds_up : {false, true}) {
+        Desk desk(1280, 1000, 1, true);
+        desk.now = snapshot(0);
+        give(desk, make_graph({.LL = 1, .LR = 1}));
+        const float reading = adds_up ? 0.3f : 0.334f;
+        desk.now.sensed = {reading, reading};
+        desk.now.vehicles[0].motor = {2 * reading, 0};
+        desk.frame(4);
+        EXPECT_TRUE(desk.says(adds_up ? "+0.60" : "+0.67"));
+        EXPECT_EQ(desk.says("≈"), !adds_up) << "0.33 + 0.33";
+    }
+}
+
 TEST(BrainCard, EndsTheDragOfASliderWhenItsVehicleIsGone) {
     Desk desk;
     desk.frame(3);

@@ -263,7 +263,87 @@ struct Played : Opened {
 
 bool is_cut_off(const Written& text) { return text.rect.y + text.rect.h > text.clip.y + text.clip.h + 1; }
 
+// The texts of each row of the sums that has an equals sign, from left to right.
+std::vector<std::vector<Written>> rows_of_sums(const Desk& desk) {
+    const Rect* sums = desk.anchors.find("equations");
+    std::vector<std::vector<Written>> rows;
+    if (!sums) return rows;
+    std::map<int, std::vector<Written>> by_height;
+    for (const Written& each : desk.written)
+        if (sums->contains(each.rect.x + 1, each.rect.y + each.rect.h / 2))
+            by_height[static_cast<int>(std::lround((each.rect.y + each.rect.h / 2) / 4))].push_back(each);
+    for (auto& [height, row] : by_height) {
+        std::sort(row.begin(), row.end(), [](const auto& a, const auto& b) { return a.rect.x < b.rect.x; });
+        if (std::any_of(row.begin(), row.end(), [](const Written& w) { return w.words == "="; })) rows.push_back(row);
+    }
+    return rows;
+}
+
+// "+0,30", or "0,42·(−1,50)"; 0 for what is masked or cut.
+double shown_value(std::string words) {
+    const auto replace = [&](std::string_view what, std::string_view by) {
+        for (auto at = words.find(what); at != words.npos; at = words.find(what)) words.replace(at, what.size(), by);
+    };
+    replace("−", "-"), replace(",", "."), replace("(", ""), replace(")", "");
+    if (words.find("θ") != words.npos) return 0;
+    const auto dot = words.find("·");
+    if (dot == words.npos) return std::strtod(words.c_str(), nullptr);
+    return std::strtod(words.c_str(), nullptr) *
+           std::strtod(words.c_str() + dot + std::string_view("·").size(), nullptr);
+}
+
 }  // namespace
+
+TEST(ExercisesLayout, TheCauseOfATurnIsWholeWithoutScrolling) {
+    int shown = 0;
+    for (const std::string& language : shipped_codes())
+        for (const Exercise& exercise : course())
+            for (const auto& window : common_windows) {
+                SCOPED_TRACE(exercise.id + " " + language + " " + std::to_string(window.first));
+                Played it(exercise, language, window, 90);
+                it.open_brain();
+                if (!it.desk.anchors.find("equations")) continue;
+                const auto cause = std::find_if(it.desk.written.begin(), it.desk.written.end(), [&](const Written& w) {
+                    constexpr std::string_view begins[]{"sums.right_faster", "sums.left_faster", "sums.straight",
+                                                        "sums.stuck",        "sums.still",       "sums.back",
+                                                        "why.blocked"};
+                    return std::any_of(std::begin(begins), std::end(begins),
+                                       [&](auto key) { return w.words.starts_with(it.desk.strings(key)); });
+                });
+                ASSERT_NE(cause, it.desk.written.end());
+                EXPECT_FALSE(is_cut_off(*cause)) << cause->words;
+                ++shown;
+            }
+    EXPECT_GT(shown, 60);
+}
+
+TEST(ExercisesLayout, TheNumbersOfASumAreApartAndAddUpToWhatIsAfterTheEqualsSign) {
+    constexpr float least_gap = 3;
+    int sums = 0;
+    for (const std::string& language : shipped_codes())
+        for (const Exercise& exercise : course())
+            for (const auto& window : common_windows) {
+                SCOPED_TRACE(exercise.id + " " + language + " " + std::to_string(window.first));
+                Played it(exercise, language, window, 90);
+                it.open_brain();
+                for (const std::vector<Written>& row : rows_of_sums(it.desk)) {
+                    std::string all;
+                    for (std::size_t i = 0; i < row.size(); ++i) {
+                        all += row[i].words + " ";
+                        if (i > 0) EXPECT_GE(row[i].rect.x - row[i - 1].rect.x - row[i - 1].rect.w, least_gap) << all;
+                    }
+                    ASSERT_GE(row.size(), 4u) << all;
+                    double sum = 0;
+                    for (std::size_t i = 2; i + 2 < row.size(); ++i) sum += shown_value(row[i].words);
+                    const double total = shown_value(row.back().words);
+                    const std::string& sign = row[row.size() - 2].words;
+                    const bool adds_up = std::fabs(sum - total) < 0.0051;
+                    if (sign != "→") EXPECT_EQ(sign, adds_up ? "=" : "≈") << all;
+                    ++sums;
+                }
+            }
+    EXPECT_GT(sums, 120);
+}
 
 // What a badge of a prompt covers cannot be read: neither the sign of a folded card nor the number beside a pin.
 TEST(ExercisesLayout, TheBadgeOfWhatPulsesCoversNoText) {

@@ -452,7 +452,8 @@ std::string kind_name(const LabView& view, const Ui& ui, const VehicleView& vehi
     return is_plain ? std::string(ui.strings("kind.vehicle")) : kind_name(ui, kind_of(*view.now, vehicle));
 }
 
-constexpr float sums_height = 104, cause_height = 28;  // layout pixels: both equations with the cause; one line of it
+// Layout pixels: both equations with the cause; one line of it; its two lines.
+constexpr float sums_height = 104, cause_height = 28, whole_cause_height = 46;
 
 // True if less than this height (layout pixels) is left in the column. A card is not scrolled in a lecture.
 bool would_be_cut(const Ui& ui, float height, Rect column) {
@@ -513,15 +514,21 @@ void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
             vehicle->driver == Driver::brain && tells && !(view.lecture && would_be_cut(ui, sums_height, column));
         if (vehicle->driver != Driver::brain) driver_panel(state, ui, *vehicle);
         if (shows_sums) equations(view, ui, *vehicle);
+        const float bottom = bottom_of_card(view, ui, column);
         const auto cause = [&] {  // its length changes during a run
-            if (shows_sums) cause_in_words(view, ui, *vehicle, bottom_of_card(view, ui, column), has_controls);
+            if (shows_sums) cause_in_words(view, ui, *vehicle, bottom, has_controls);
         };
-        if (sums_first) {
+        // In an exercise above the picture where it would be cut below it.
+        const float end_of_cause = ImGui::GetCursorScreenPos().y + ImGui::GetScrollY() +
+                                   ui.px(of_picture + whole_cause_height + spacing::medium);
+        const bool cause_first =
+            sums_first || (shows_sums && offers_some(view) && !view.lecture && end_of_cause > bottom);
+        if (cause_first) {
             const float below = ImGui::GetCursorPosY() + 2 * line_height(ui, Face::small) + between;
             cause();
             ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), below));
-            if (has_controls) free_play_row(view, ui);
         }
+        if (sums_first && has_controls) free_play_row(view, ui);
         // The wiring canvas shows the same brain larger.
         const float below = shows_sums ? cause_height : 0;
         if (view.mode != Mode::wiring && !hides_brain(view, vehicle->kind) &&
@@ -529,7 +536,7 @@ void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
             brain_picture(view, state, ui, *vehicle, height);
         else if (view.mode != Mode::wiring && hides_brain(view, vehicle->kind) && !view.lecture)
             hidden_picture(view, ui, of_picture);
-        if (!sums_first) cause();
+        if (!cause_first) cause();
         if (shows_sums && !view.lecture) say_parts(view, state, ui, *vehicle);
         const bool wanted = std::exchange(state.brain.presets.wanted, false) || buttons[0].pressed;
         ImGui::PopStyleVar();

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <imgui.h>
@@ -51,6 +52,15 @@ void drop_last_column(std::array<MotorSum, 2>& both) {
     }
 }
 
+// Adds the biases to the rest, whose column is there also without them.
+void add_biases_to_rest(std::array<MotorSum, 2>& both) {
+    for (MotorSum& sum : both) {
+        if (!sum.more_wires) continue;
+        sum.rest += std::exchange(sum.bias, 0.0f);
+        sum.bias_letters = {};
+    }
+}
+
 // "LR" for "greenR·LR": the sliders above have the same names.
 void name_by_wires(std::array<MotorSum, 2>& both) {
     constexpr std::string_view dot = "·";
@@ -73,7 +83,8 @@ struct EquationColumns {
 EquationColumns equation_columns(const Ui& ui, const std::array<MotorSum, 2>& both, bool factors, float left,
                                  float width, Face face = Face::small) {
     const bool more = both[0].more_wires;
-    const float sign = std::max(text_width(ui, face, "="), both[0].more_wires ? text_width(ui, face, "→") : 0);
+    const float equals = std::max(text_width(ui, face, "="), text_width(ui, face, "≈"));
+    const float sign = std::max(equals, more ? text_width(ui, face, "→") : 0);
     const float number = text_width(ui, face, with_sign(ui, 1, 2));
     const auto product = [&](std::size_t i) {
         float widest = 0;
@@ -92,13 +103,14 @@ EquationColumns equation_columns(const Ui& ui, const std::array<MotorSum, 2>& bo
         return widest;
     };
     const float rest = more ? std::max(number, text_width(ui, Face::label, ui.strings("sums.rest"))) : 0;
+    const bool has_bias = !both[0].bias_letters.empty();
     const float total = text_width(ui, Face::strong, with_sign(ui, 1, 2)), name = text_width(ui, Face::strong, "MR");
     const std::size_t terms = term_columns(both);
     const bool products = both[0].shows_products;
-    float taken = name + (factors ? 3 : 2) * sign + number + rest + total;
+    float taken = name + (factors ? 3 : 2) * sign + (has_bias ? number : 0) + rest + total;
     if (products) taken += product(0) + product(1);
     for (std::size_t i = 0; i < terms; ++i) taken += term(i);
-    const std::size_t spaces = 4 + (products ? 2 : 0) + (more ? 1 + terms : factors ? 1 : 0);
+    const std::size_t spaces = 3 + (has_bias ? 1 : 0) + (products ? 2 : 0) + (more ? 1 + terms : factors ? 1 : 0);
     const float space = std::max(0.0f, (width - taken) / static_cast<float>(spaces));
     EquationColumns c{};
     c.space = space;
@@ -111,7 +123,7 @@ EquationColumns equation_columns(const Ui& ui, const std::array<MotorSum, 2>& bo
     if (factors) c.plus = end_of(sign) - sign / 2;
     if (products) c.second = end_of(product(1));
     for (std::size_t i = 0; i < terms; ++i) c.terms[i] = end_of(term(i));
-    c.bias = end_of(number);
+    c.bias = has_bias ? end_of(number) : x;
     c.rest = more ? end_of(rest) : x;
     c.result = end_of(sign) - sign / 2;
     c.total = left + width;
@@ -153,6 +165,25 @@ void signed_term(const Ui& ui, float right, float y, std::string_view letters, f
     put_right(ui, {right, y + below_name(ui)}, addend(ui, value, first), ui.palette.text, face);
 }
 
+// The sum of the numbers that are shown. With `factors` a product is that of its shown factors.
+float sum_of_shown(const MotorSum& sum, bool factors) {
+    const auto shown = [](float value) { return std::round(value * 100) / 100; };
+    float all = shown(sum.bias) + shown(sum.rest);
+    if (sum.shows_products)
+        for (const Product& p : sum.products)
+            all += p.masked || p.cut ? 0 : factors ? shown(p.input) * shown(p.weight) : shown(p.value);
+    for (const Term& term : sum.terms) all += shown(term.value);
+    return all;
+}
+
+// Before the total: → where it is limited to −1..1 or the motor is stopped, ≈ where the shown numbers have another sum.
+std::string_view sign_of_total(const MotorSum& sum, bool factors) {
+    if (sum.limited || sum.stopped) return "→";
+    const float total = std::round(sum.total * 100) / 100, half_a_digit = 0.0051f;
+    const bool adds_up = std::fabs(sum_of_shown(sum, factors) - total) < half_a_digit;
+    return adds_up ? "=" : "≈";
+}
+
 class Equation {
 public:
     Equation(const Ui& ui, const MotorSum& sum, const EquationColumns& x, ImVec2 at, const Cause* why)
@@ -175,10 +206,11 @@ public:
         for (std::size_t i = 0; i < sum_.terms.size(); ++i)
             contribution(x_.terms[i], sum_.terms[i].label, sum_.terms[i].name, sum_.terms[i].value,
                          i == 0 && !sum_.shows_products);
-        signed_term(ui_, x_.bias, at_.y, sum_.bias_letters, sum_.bias, !sum_.shows_products && sum_.terms.empty(),
-                    x_.face);
+        const bool is_first = !sum_.shows_products && sum_.terms.empty();
+        if (!sum_.bias_letters.empty())
+            signed_term(ui_, x_.bias, at_.y, sum_.bias_letters, sum_.bias, is_first, x_.face);
         if (sum_.more_wires) signed_term(ui_, x_.rest, at_.y, ui_.strings("sums.rest"), sum_.rest, false, x_.face);
-        sign(x_.result, sum_.limited ? "→" : "=");  // → when the sum is limited to −1..1
+        sign(x_.result, sign_of_total(sum_, x_.factors));
         put_right(ui_, {x_.total, large}, with_sign(ui_, sum_.total, 2), sum_.stopped ? c.second_text : c.text,
                   Face::strong);
     }
@@ -343,8 +375,9 @@ void equations(const LabView& view, Ui& ui, const VehicleView& vehicle) {
         name_by_wires(both);
         x = columns(false);
     }
-    if (x.space < ui.px(least_space) && !x.factors)
-        x = equation_columns(ui, both, false, at.x, card_width(ui), Face::label);
+    const auto small_columns = [&] { return equation_columns(ui, both, false, at.x, card_width(ui), Face::label); };
+    if (x.space < ui.px(least_space) && !x.factors) x = small_columns();
+    if (x.space < ui.px(least_space) && !x.factors) add_biases_to_rest(both), x = small_columns();
     const float row = below_name(ui) + line_height(ui, Face::small) + ui.px(spacing::tight);
     const bool stopped = both[0].stopped || both[1].stopped;
     const Cause* shown = stopped || insight::are_alike(both[0].total, both[1].total) ? nullptr : &why;
