@@ -23,6 +23,7 @@ constexpr float zoom_rate = 1.5f;                                 // log2 of the
 constexpr float pan_rate = 0.5f;                                  // of the width of the free area per second
 constexpr float turn_by_pixel = 0.006f, raise_by_pixel = 0.005f;  // rad per pixel
 constexpr float around_paths = 0.9f;                              // m, in an arena of full scale
+constexpr float beside_ring = 0.5f;                               // m, likewise: half a vehicle outside it
 constexpr float notch = 0.2f;                                     // log2 of the zoom per notch of the wheel
 
 // Of the free area's width: least length of the selected vehicle in scenes of few vehicles.
@@ -34,11 +35,40 @@ bool is_home(const ViewportState& state, const Lab& lab) {
     return lab.view.camera == home && !(state.last == home);
 }
 
+std::optional<FloorBox> both(const std::optional<FloorBox>& a, const std::optional<FloorBox>& b) {
+    if (!a || !b) return a ? a : b;
+    return FloorBox{{std::min(a->low.x, b->low.x), std::min(a->low.y, b->low.y)},
+                    {std::max(a->high.x, b->high.x), std::max(a->high.y, b->high.y)}};
+}
+
 // The place of the vehicle of slot B; nullopt while it is not drawn.
 std::optional<FloorBox> around_b(const SlotsView& slots) {
     if (!slots.b) return std::nullopt;
     const vec2 at{slots.b->pose.x, slots.b->pose.y}, border{slots.b->length, slots.b->length};
     return FloorBox{at - border, at + border};
+}
+
+// Around the rings that the exercise's steps and its prediction are about: a vehicle drives there without moving the
+// picture.
+std::optional<FloorBox> rings_of_exercise(const Lab& lab) {
+    std::optional<FloorBox> box;
+    if (!lab.document.lesson) return box;
+    const Snapshot& now = shown_snapshot(lab);
+    const auto add = [&](const Check& check) {
+        const auto* circles = std::get_if<goals::Circles>(&check.goal);
+        if (!circles) return;
+        const float around = circles->to + scale_of(now.scene->arena) * beside_ring;
+        for (const SourceView& source : now.sources) {
+            const auto index = static_cast<std::size_t>(source.source);
+            if (!circles->source.empty() && now.scene->sources[index].name != circles->source) continue;
+            const vec2 at{source.x, source.y}, border{around, around};
+            box = both(box, FloorBox{at - border, at + border});
+        }
+    };
+    const Exercise& exercise = *lab.document.lesson->exercise;
+    for (const Step& step : exercise.steps) add(step.check);
+    for (const ShownCheck& shown : exercise.prediction.shows) add(shown.check);
+    return box;
 }
 
 bool jumped(const ViewportState& state, const Lab& lab) {
@@ -71,7 +101,9 @@ std::optional<FloorBox> paths_of_change(const Lab& lab) {
 // small in it. It does not depend on the place of the vehicle, so that the camera rests.
 std::optional<FloorBox> arena_beside(const Lab& lab, Rect window, Rect free_area) {
     constexpr float narrow = 0.6f;  // of the window's width
+    const std::vector<VehicleView>& vehicles = shown_snapshot(lab).vehicles;
     const VehicleView* vehicle = selected_vehicle(lab);
+    if (!vehicle && !vehicles.empty()) vehicle = &vehicles.front();  // a selected one that is gone moves nothing
     const bool is_beside = lab.before_lecture && lab.playback.mode != Mode::wiring && free_area.w < narrow * window.w;
     if (!is_beside || !vehicle || lab.view.camera.mode != CameraMode::overview) return std::nullopt;
     const Snapshot& now = shown_snapshot(lab);
@@ -140,7 +172,7 @@ void aim(ViewportState& state, const Lab& lab, Rect window, Rect free_area, floa
                                    .window = window,
                                    .free_area = free_area,
                                    .least_share = lab.before_lecture ? least_share_in_lecture : least_share,
-                                   .other_run = around_b(slots),
+                                   .beside = both(around_b(slots), rings_of_exercise(lab)),
                                    .seconds = state.has_sight && !lab.preferences.reduce_motion ? seconds : 0.0f,
                                    .held = held,
                                    .paused = lab.playback.mode == Mode::paused && !lab.playback.seeks,

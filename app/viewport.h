@@ -33,10 +33,11 @@ struct CameraKeys {
     explicit operator bool() const { return turn != 0 || raise != 0 || zoom != 0 || pan.x != 0 || pan.y != 0; }
 };
 
-// Computes the camera view of this frame. A change of mode or vehicle, Home, and in a lecture a change
-// of the free area, as by a step of a page, are shown as short glides, unless motion is reduced. Other changes apply at
-// once. While both slots run, the vehicle of B stays in the picture, too. `cards`: over the scene, as folded cards of a
-// lecture are. Once one hides a vehicle or a bulb, the scene is framed below it, until the run is back at its start.
+// Computes the camera view of this frame. A change of mode or vehicle, Home, and in a lecture a change of the free
+// area, as by a step of a page, are shown as short glides, unless motion is reduced. Other changes apply at once. While
+// both slots run, the vehicle of B stays in the picture, too, and so do rings that an exercise is about. `cards`: over
+// the scene, as folded cards of a lecture are. Once one hides a vehicle or a bulb, the scene is framed below it, until
+// the run is back at its start.
 void aim(ViewportState&, const Lab&, Rect window, Rect free_area, float seconds, const SlotsView& = {},
          std::span<const Rect> cards = {});
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/scene/scene.h"
+#include "render/view/label_space.h"
 
 namespace braitenlab {
 
@@ -21,8 +22,6 @@ constexpr float enough_with_source = 0.5f;                      // of it: the ne
 constexpr float enough_with_all = 0.9f;                         // of it: all sources then stay
 constexpr float room_to_drive = 1.4f;                           // of it: a view that can give so much serves longer
 constexpr float cover_to_drive = 0.1f;                          // of the free area, for the same reason
-constexpr float enough_of_length = 0.98f;                       // of it: the rule still holds
-constexpr float far_short = 0.93f;                              // of a share that the rule asks for
 constexpr float nearer = 0.8f;                                  // of the distance: another source is then the nearest
 constexpr float worth_of_rest = 0.12f;                          // by so much another elevation must be better
 constexpr float share_of_rest = 0.05f;  // of the wanted length: so much less is enough for sources in the picture
@@ -33,9 +32,11 @@ constexpr float beyond_edge = 0.3f;            // m, the walls
 constexpr float least_side = 4;                // m
 constexpr float whole_ahead_of_action = 1.5f;  // m: the box grows by so much more, and then rests
 constexpr float left_free = 0.2f;              // m: so much of the place around a vehicle may be outside the box
+constexpr float seconds_ahead = 0.8f;          // a vehicle leaves the picture that would be outside so much later
+constexpr float share_to_rest = 0.85f;         // of the wanted length, in a picture that is to rest longer
+constexpr float ahead_of_vehicle = 1.2f;       // m: room for a vehicle that has left the picture, in its direction
 constexpr float time_constant = 0.3f;          // s
-// Simulated time between two choices while the rule does not hold, is far from it, and of elevations.
-constexpr std::uint64_t ticks_of_rest = 7 * 60, ticks_if_far = 2 * 60, ticks_of_elevation = 25 * 60;  // ticks
+constexpr std::uint64_t ticks_of_elevation = 25 * 60;  // simulated time between two changes of the elevation
 
 constexpr FloorBox nothing{{1e9f, 1e9f}, {-1e9f, -1e9f}};
 
@@ -270,24 +271,32 @@ std::optional<int> Framing::nearest_source(const Snapshot& now, vec2 place) cons
 FloorBox Framing::needed_now(const Snapshot& now, const FramingInput& in, const Choice& choice) const {
     const float scale = scale_of(now.scene->arena);
     FloorBox box = now.vehicles.size() > few_vehicles ? *driven_ : nothing;
-    for (const VehicleView& each : now.vehicles)
-        include(box, {each.x, each.y}, scale * (each.id == in.selected ? around_vehicle : around_other));
+    for (const VehicleView& each : now.vehicles) {
+        const vec2 place{each.x, each.y};
+        const float around = scale * (each.id == in.selected ? around_vehicle : around_other);
+        FloorBox own = nothing;
+        include(own, place, around);
+        const bool leaves = gives_room_ && !contains(goal_, within(own, now.scene->arena));
+        if (leaves) include(own, place + maths::direction(each.heading) * (scale * ahead_of_vehicle), around);
+        box = both(box, own);
+    }
     for (const SourceView& s : now.sources)
         if (choice.sources == Sources::all || (choice.sources == Sources::nearest && nearest_ == s.source))
             include(box, {s.x, s.y}, scale * around_lamp);
-    return in.other_run ? both(box, *in.other_run) : box;
+    return in.beside ? both(box, *in.beside) : box;
 }
 
 FloorBox Framing::wanted(const Snapshot& now, FramingInput in, const Choice& choice) const {
     const Arena arena = now.scene ? now.scene->arena : Arena{};
     if (is_default_elevation(in.camera)) in.camera.elevation = choice.elevation;
     FloorBox box = widened(in.close_up ? within(*in.close_up, arena) : *grown_, in, arena);
-    if (in.close_up || !now.scene || now.vehicles.empty() || is_narrow(in.free_area)) return box;
+    if (in.close_up || !now.scene || now.vehicles.empty()) return box;
+    const FloorBox needed = within(needed_now(now, in, choice), arena);
+    if (is_narrow(in.free_area)) return both(box, needed);
     const VehicleView* vehicle = now.vehicles.size() <= few_vehicles ? find_vehicle(now, in.selected) : nullptr;
     // The walls of a table and the numbers beside them are not cut off for a slightly larger robot.
     const bool is_table = scale_of(arena) < 1 && contains(box, whole(arena));
     if (is_table && (!vehicle || share_of(box, now, *vehicle, in) >= enough_on_table)) return box;
-    const FloorBox needed = within(needed_now(now, in, choice), arena);
     if (choice.part < 1) {
         box = both(shrunk(box, choice.part, needed), needed);
         if (choice.fills) box = widened(box, in, arena);
@@ -324,10 +333,10 @@ Framing::Choice Framing::choose(const Snapshot& now, const FramingInput& in, boo
         if (rests_ && choice.elevation == choice_.elevation) r.worth += worth_of_rest;
         return r;
     };
-    // The largest part that covers enough, or the whole.
+    // The largest part that covers enough, or the whole; the whole once something has left the picture.
     const auto best_part = [&](Choice choice) {
         const Rated whole_box = rate(choice);
-        if (is_narrow(in.free_area)) return whole_box;
+        if (is_narrow(in.free_area) || gives_room_) return whole_box;
         choice.part = least_part;
         Rated best = rate(choice);
         float enough = least_part, too_much = 1;
@@ -363,25 +372,36 @@ Framing::Choice Framing::choose(const Snapshot& now, const FramingInput& in, boo
     return best.choice;
 }
 
-// The lesser of the shares of the vehicle and of the floor with the present choice, as a part of what the rule asks
-// for.
-float Framing::fulfilment(const Snapshot& now, FramingInput in) const {
-    if (!now.scene || in.close_up) return 1;
-    if (is_default_elevation(in.camera)) in.camera.elevation = choice_.elevation;
-    const FloorBox box = wanted(now, in, choice_);
-    const CameraView seen = look(in.camera, now.scene->arena, nullptr, in.window, in.free_area, &box);
-    const float cover = floor_cover(seen, now.scene->arena, in.free_area) / cover_for(in.free_area);
-    const VehicleView* vehicle = now.vehicles.size() <= few_vehicles ? find_vehicle(now, in.selected) : nullptr;
-    return vehicle ? std::min(cover, share_of(box, now, *vehicle, in) / enough_of_length) : cover;
-}
-
-// True if the choice must be made anew. `has_changed`: the box around the action, or the nearest source.
-bool Framing::must_choose(const Snapshot& now, const FramingInput& in, bool has_changed) const {
-    if (is_narrow(in.free_area)) return false;
-    if (has_changed && choice_.sources != Sources::all) return true;
-    const std::uint64_t rested = now.tick < chosen_at_ ? ticks_of_rest : now.tick - chosen_at_;
-    if (!has_changed && rested < ticks_if_far) return false;
-    return fulfilment(now, in) < (has_changed || rested >= ticks_of_rest ? 1 : far_short);
+// Whether the picture to which the camera glides shows all vehicles, the nearest source where one stays in the picture,
+// and what is shown beside the run.
+bool Framing::is_in_sight(const Snapshot& now, const FramingInput& in) const {
+    if (!now.scene || in.close_up) return true;
+    const Arena& arena = now.scene->arena;
+    Camera camera = in.camera;
+    if (is_default_elevation(camera)) camera.elevation = choice_.elevation;
+    const CameraView seen = look(camera, arena, nullptr, in.window, in.free_area, &goal_);
+    const auto holds = [&](vec2 place, float radius) {
+        FloorBox box = nothing;
+        include(box, place, scale_of(arena) * radius);
+        return contains(goal_, within(box, arena));
+    };
+    const auto shows = [&](const Rect& r) {
+        const Rect& area = in.free_area;
+        return r.x >= area.x && r.y >= area.y && r.x + r.w <= area.x + area.w && r.y + r.h <= area.y + area.h;
+    };
+    const auto shows_vehicle = [&](const VehicleView& each) {
+        if (holds({each.x, each.y}, around_other)) return true;
+        VehicleView soon = each;
+        const vec2 way = maths::direction(each.heading) * (each.speed * seconds_ahead);
+        soon.x += way.x, soon.y += way.y;
+        return shows(picture_of(now, seen, each)) && shows(picture_of(now, seen, soon));
+    };
+    const auto shows_source = [&](const SourceView& s) {
+        return nearest_ != s.source || holds({s.x, s.y}, around_lamp) || shows(picture_of(now, seen, s));
+    };
+    return std::all_of(now.vehicles.begin(), now.vehicles.end(), shows_vehicle) &&
+           (choice_.sources == Sources::none || std::all_of(now.sources.begin(), now.sources.end(), shows_source)) &&
+           (!in.beside || contains(goal_, within(*in.beside, arena)));
 }
 
 FloorBox Framing::follow(const Snapshot& now, const FramingInput& in) {
@@ -396,7 +416,7 @@ FloorBox Framing::follow(const Snapshot& now, const FramingInput& in) {
     const Arena arena = now.scene ? now.scene->arena : Arena{};
     const VehicleView* vehicle = find_vehicle(now, in.selected);
     FloorBox action = action_of(now);
-    if (in.other_run) action = within(both(action, *in.other_run), arena);
+    if (in.beside) action = within(both(action, *in.beside), arena);
     const std::optional<FloorBox> before = grown_;
     if (!grown_)
         grown_ = action, driven_ = nothing, nearest_.reset();
@@ -405,39 +425,37 @@ FloorBox Framing::follow(const Snapshot& now, const FramingInput& in) {
     if (now.scene) include_action(*driven_, now);
     const bool are_few = now.vehicles.size() <= few_vehicles;
     const auto nearest = vehicle && are_few ? nearest_source(now, {vehicle->x, vehicle->y}) : std::nullopt;
-    const Reason reason{in.free_area,
-                        in.selected,
-                        in.camera.elevation,
-                        in.camera.mode,
-                        in.least_share,
-                        in.close_up.has_value(),
-                        std::min(now.vehicles.size(), few_vehicles + 1)};
+    const Reason reason{in.free_area, in.camera.elevation, in.camera.mode, in.least_share, in.close_up.has_value()};
     const bool is_new = !shown_ || !before || !(reason == reason_);
     if (!in.paused) glides_ = false;
     if (in.paused && is_new) glides_ = true;
     if (in.paused && !glides_ && contains(with_border(*shown_, scale_of(arena) * left_free), action))
         return speed_ = {}, turning_ = 0, *shown_;
-    const bool has_changed = before != grown_ || nearest_ != nearest;
     nearest_ = nearest;
-    if (is_new || must_choose(now, in, has_changed)) {
+    if (is_new || !is_in_sight(now, in)) {
         if (is_new || now.tick < raised_at_.value_or(0)) raised_at_.reset();
-        const Choice next = choose(now, in, raised_at_ && now.tick < *raised_at_ + ticks_of_elevation);
+        gives_room_ = !is_new;
+        FramingInput roomy = in;
+        if (gives_room_) roomy.least_share *= share_to_rest;
+        const Choice next = choose(now, roomy, raised_at_ && now.tick < *raised_at_ + ticks_of_elevation);
         if (!is_new && next.elevation != choice_.elevation) raised_at_ = now.tick;
-        choice_ = next, rests_ = true, reason_ = reason, chosen_at_ = now.tick;
+        choice_ = next, rests_ = true, reason_ = reason;
+        goal_ = wanted(now, roomy, choice_);
+    } else if (in.close_up) {
+        goal_ = wanted(now, in, choice_);
     }
-    const FloorBox goal = wanted(now, in, choice_);
     // A glide would not show the vehicle until its end.
     const std::optional<vec2> place = vehicle && are_few ? std::optional(vec2{vehicle->x, vehicle->y}) : std::nullopt;
     const bool has_crossed = place && place_ && crosses_seam(*place_, *place, arena);
     place_ = place;
     if (!shown_ || in.seconds <= 0 || has_crossed) {
         speed_ = {}, turning_ = 0, elevation_ = choice_.elevation, glides_ = false;
-        return *(shown_ = goal);
+        return *(shown_ = goal_);
     }
-    glide(shown_->low, speed_.low, goal.low, in.seconds);
-    glide(shown_->high, speed_.high, goal.high, in.seconds);
+    glide(shown_->low, speed_.low, goal_.low, in.seconds);
+    glide(shown_->high, speed_.high, goal_.high, in.seconds);
     glide(elevation_, turning_, choice_.elevation, in.seconds);
-    if (*shown_ == goal && elevation_ == choice_.elevation) glides_ = false;
+    if (*shown_ == goal_ && elevation_ == choice_.elevation) glides_ = false;
     return *shown_;
 }
 

@@ -1,15 +1,25 @@
 // The slow orbit of the camera, and the scene behind the title page.
 #include "app/viewport.h"
 
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+
 #include <gtest/gtest.h>
 #include <imgui.h>
 
 #include "app/course/lab_lecture.h"
 #include "app/title.h"
 #include "opened_lab.h"
+#include "render/view/label_space.h"
+#include "ui/window.h"
+#include "ui/window_layout.h"
 
 namespace braitenlab::tests::viewport_test {
 namespace {
+
+using maths::vec2;
 
 struct SlowOrbit : testing::Test {
     SlowOrbit() { ImGui::CreateContext(); }
@@ -152,6 +162,114 @@ TEST_F(SlowOrbit, ACardThatTakesAColumnOfTheSceneDoesNotMoveItDown) {
     const Rect rest{beside, area.y, area.x + area.w - beside, area.h};
     aim(state, lab, window, rest, 1.0f / 60, {}, cards);
     EXPECT_EQ(state.below_cards, 0);
+}
+
+namespace {
+
+bool is_inside(const Rect& a, const Rect& b) {
+    return a.x >= b.x && a.y >= b.y && a.x + a.w <= b.x + b.w && a.y + a.h <= b.y + b.h;
+}
+
+// Whether the area shows all vehicles, also a second later at their present speed.
+bool shows_vehicles(const Snapshot& now, const CameraView& seen, const Rect& area) {
+    return std::all_of(now.vehicles.begin(), now.vehicles.end(), [&](VehicleView vehicle) {
+        const bool is_shown = is_inside(picture_of(now, seen, vehicle), area);
+        const vec2 way = maths::direction(vehicle.heading) * vehicle.speed;
+        vehicle.x += way.x, vehicle.y += way.y;
+        return is_shown && is_inside(picture_of(now, seen, vehicle), area);
+    });
+}
+
+// Whether the area shows what makes the selected vehicle turn.
+bool shows_nearest_source(const Lab& lab, const CameraView& seen, const Rect& area) {
+    const Snapshot& now = lab.document.session.snapshot();
+    const VehicleView* vehicle = find_vehicle(now, lab.view.selection.vehicle);
+    if (!vehicle) return true;
+    const SourceView* nearest = nullptr;
+    const auto distance = [&](const SourceView& s) { return std::hypot(s.x - vehicle->x, s.y - vehicle->y); };
+    for (const SourceView& s : now.sources)
+        if (s.strength != 0 && (!nearest || distance(s) < distance(*nearest))) nearest = &s;
+    return !nearest || is_inside(picture_of(now, seen, *nearest), area);
+}
+
+Rect free_area_of(const Lab& lab, const Rect& window) {
+    const float scale = ui::fitting_scale(1, window, lab.before_lecture.has_value());
+    const LabView view = view_of(lab);
+    return ui::lay_out(window.w, window.h, scale, view, ui::open_cards(view, {})).scene;
+}
+
+void each_exercise(const std::function<void(const std::string&)>& look_at) {
+    int count = 0;
+    for (const auto& file :
+         std::filesystem::directory_iterator(std::filesystem::path(BRAITENLAB_SOURCE) / "exercises" / "guided"))
+        look_at(file.path().stem().string()), ++count;
+    EXPECT_GT(count, 20);
+}
+
+constexpr Rect windows[]{{0, 0, 800, 600}, {0, 0, 1280, 800}, {0, 0, 1024, 768}};
+
+}  // namespace
+
+TEST_F(SlowOrbit, ThePictureOfAnExerciseRestsWhileItShowsAllVehicles) {
+    for (const bool lecture : {false, true})
+        each_exercise([&](const std::string& name) {
+            for (const Rect& window : windows) {
+                SCOPED_TRACE(name + (lecture ? " in a lecture, " : ", ") + std::to_string(static_cast<int>(window.w)));
+                lab = opened_lab(name), state = {};
+                if (lecture) begin_lecture(lab);
+                lab.preferences.reduce_motion = true;  // the picture is that to which the camera would glide
+                const Rect area = free_area_of(lab, window);
+                const auto frame = [&] { aim(state, lab, window, area, 1.0f / 60); };
+                frame();
+                int moved = 0, unseen = 0;
+                for (int i = 0; i < 30 * 60; ++i) {
+                    tick(lab);
+                    const Snapshot& now = lab.document.session.snapshot();
+                    const bool rests = shows_vehicles(now, state.camera_view, area) &&
+                                       shows_nearest_source(lab, state.camera_view, area);
+                    const FloorBox before = state.framed;
+                    frame();
+                    moved += rests && !(state.framed == before);
+                    unseen += std::any_of(now.vehicles.begin(), now.vehicles.end(), [&](const VehicleView& vehicle) {
+                        return !area.contains(*project(state.camera_view, {vehicle.x, vehicle.y}));
+                    });
+                }
+                EXPECT_EQ(moved, 0) << "times the picture has moved without need";
+                EXPECT_EQ(unseen, 0) << "frames in which a vehicle is not in the free area";
+            }
+        });
+}
+
+TEST_F(SlowOrbit, ShowsWhatAnExerciseIsAboutWhenItOpensAndAfterAReset) {
+    for (const bool lecture : {false, true})
+        each_exercise([&](const std::string& name) {
+            for (const Rect& window : windows) {
+                SCOPED_TRACE(name + (lecture ? " in a lecture, " : ", ") + std::to_string(static_cast<int>(window.w)));
+                lab = opened_lab(name), state = {};
+                if (lecture) begin_lecture(lab);
+                const Rect area = free_area_of(lab, window);
+                const auto expect_shown = [&](const char* when) {
+                    for (int i = 0; i < 300; ++i) aim(state, lab, window, area, 1.0f / 60);
+                    const Snapshot& now = lab.document.session.snapshot();
+                    for (const VehicleView& vehicle : now.vehicles)
+                        EXPECT_TRUE(is_inside(picture_of(now, state.camera_view, vehicle), area)) << when;
+                    for (const Step& step : lab.document.lesson->exercise->steps)
+                        if (const auto* ring = std::get_if<goals::Circles>(&step.check.goal))
+                            for (const float angle : {0.0f, 1.6f, 3.1f, -1.6f}) {
+                                const vec2 lamp{now.sources[0].x, now.sources[0].y};
+                                const auto at = project(state.camera_view, lamp + maths::from_polar(ring->to, angle));
+                                EXPECT_TRUE(at && area.contains(*at)) << when << ", the ring at " << angle;
+                            }
+                };
+                expect_shown("open");
+                for (int i = 0; i < 20 * 60; ++i) {
+                    tick(lab);
+                    if (i % 6 == 0) aim(state, lab, window, area, 0.1f);
+                }
+                handle(lab, Action::reset);
+                expect_shown("after a reset");
+            }
+        });
 }
 
 TEST_F(SlowOrbit, TurnsTheCameraSlowlyUntilItIsStopped) {
