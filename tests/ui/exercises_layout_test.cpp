@@ -697,6 +697,71 @@ TEST(ExercisesLayout, NoTextOfTheDiagramIsLowerThanElevenPixelsInASmallWindow) {
     EXPECT_GT(texts, 300);
 }
 
+// Of the shipped brain and of the solution.
+TEST(ExercisesLayout, TheDiagramOfASmallWindowShowsAllNodesAndWeights) {
+    constexpr std::size_t many_nodes = 12;
+    int weights = 0;
+    for (const Exercise& shipped : course())
+        for (const bool solved : {false, true}) {
+            Exercise exercise = shipped;
+            const auto kind = static_cast<std::size_t>(subject_kind(exercise.scene));
+            if (solved) exercise.scene.kinds[kind].brain = exercise.solution.submission.brain;
+            const BrainGraph brain = exercise.scene.kinds[kind].brain;
+            if (brain.nodes.size() > many_nodes) continue;
+            SCOPED_TRACE(exercise.id + (solved ? " solved" : ""));
+            Opened it(exercise, 800, 600);
+            it.play_after_prediction();
+            it.desk.view.mode = Mode::wiring;
+            it.desk.frame(8);
+            for (const bool fitted : {false, true}) {
+                if (fitted) it.desk.click("canvas.fit");
+                const Rect canvas = it.desk.where("canvas");
+                const auto is_whole = [&](const std::string& id) {
+                    const Rect* at = it.desk.anchors.find(id);
+                    return at && inside(*at, canvas);
+                };
+                for (const Node& node : brain.nodes) EXPECT_TRUE(is_whole("node." + node.name)) << node.name;
+                for (const Wire& wire : brain.wires) {
+                    if (wire.weight == 0) continue;
+                    EXPECT_TRUE(is_whole("wire." + wire_name(brain, {wire.from, wire.to})))
+                        << wire_name(brain, {wire.from, wire.to});
+                    ++weights;
+                }
+            }
+        }
+    EXPECT_GT(weights, 200);
+}
+
+TEST(ExercisesLayout, AWeightIsDraggedInTheDiagramOfASmallWindow) {
+    int dragged = 0;
+    for (const Exercise& exercise : course()) {
+        Opened it(exercise, 800, 600);
+        it.play_after_prediction();
+        it.desk.view.mode = Mode::wiring;
+        it.desk.frame(8);
+        const BrainGraph& brain = *it.desk.now.brains[static_cast<std::size_t>(it.subject()->brain)];
+        for (const Wire& wire : brain.wires) {
+            const std::string label = "wire." + wire_name(brain, {wire.from, wire.to});
+            if (wire.weight == 0 || !it.desk.anchors.find(label)) continue;
+            const Rect at = it.desk.where(label);
+            it.desk.all.clear();
+            it.desk.point(label);
+            it.desk.frame(2);
+            it.desk.button(0, true);
+            it.desk.frame(2);
+            for (const float moved : {10.0f, 30.0f}) {
+                it.desk.point(at.x + at.w / 2 + moved, at.y + at.h / 2);
+                it.desk.frame(2);
+            }
+            it.desk.button(0, false);
+            it.desk.frame(2);
+            EXPECT_FALSE(it.desk.edits().empty()) << exercise.id << ' ' << label;
+            ++dragged;
+        }
+    }
+    EXPECT_GT(dragged, 20);
+}
+
 // A click of the person always wins: no outcome and no grade opens another card for it.
 TEST(ExercisesLayout, AFoldedCardThatIsClickedIsOpenAndStaysSoInASmallWindow) {
     int clicked = 0;

@@ -65,6 +65,17 @@ void fit_letters(CanvasCamera& camera, LayOut lay_out, Rect area, float ui_scale
         before = camera.zoom;
         fit(camera, lay_out(), area, ui_scale, with_buttons);
     }
+    if (camera.zoom == before) return;
+    // With larger labels the brain fits only at a zoom at which they are still larger: the largest zoom with room.
+    constexpr int most_steps = 12;
+    constexpr float step = 0.96f;
+    float zoom = std::max(camera.zoom, before);
+    for (int i = 0; i < most_steps; ++i, zoom *= step) {
+        camera.zoom = zoom;
+        fit(camera, lay_out(), area, ui_scale, with_buttons);
+        if (camera.zoom >= zoom) break;
+    }
+    camera.zoom = std::min(camera.zoom, zoom);
 }
 
 // Makes the diagram of many nodes that a lecture watches so small that it is a map: its labels would cover each other.

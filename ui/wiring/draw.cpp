@@ -235,7 +235,8 @@ LetterRoom letter_room(const Pen& pen, const LabView& view, const VehicleView& v
     if (view.lecture) room.neuron_width = neuron_width(pen, view, vehicle, graph);
     const bool has_neurons = std::any_of(graph.nodes.begin(), graph.nodes.end(),
                                          [](const Node& node) { return node.kind == NodeKind::neuron; });
-    room.has_free_labels = !view.lecture || !has_neurons;
+    constexpr float much = 1.5f;  // labels of weights then need the room
+    room.has_free_labels = !has_neurons || (!view.lecture && room.label_growth <= much);
     if (view.lecture && view.mode != Mode::wiring && !has_neurons) room.aside = sensors_aside(view, vehicle, graph);
     return room;
 }

@@ -64,8 +64,8 @@ struct Pen {
 enum class Detail { map, sketch, full };  // boxes and lines; with text as large as it fits; everything
 Detail detail_of(const Pen&);
 
-// The room that the pen's letters need in the layout of a brain, the free places' labels left out between the large
-// ones of a lecture.
+// The room that the pen's letters need in the layout of a brain, the labels of free places left out between
+// neurons where labels are large.
 LetterRoom letter_room(const Pen&, const LabView&, const VehicleView&, const BrainGraph&);
 
 // The height of a label's letters at this level of detail, units, where they are not enlarged.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/brain/four_neurons.h"
 
@@ -89,7 +90,9 @@ void add_wires(Layout& layout, const BrainGraph& graph) {
         shape.to = static_cast<std::size_t>(to - layout.nodes.data());
         // The label of a learning wire also shows what it has learned.
         const bool has_learned = shape.wire >= 0 && learns(graph.wires[static_cast<std::size_t>(shape.wire)]);
-        shape.label_size = vec2{shape.direct ? 108.0f : 72.0f, shape.direct ? 34.0f : 28.0f};
+        constexpr float much = 1.5f;  // between enlarged letters and the rim of their label there is less room
+        const bool is_tight = layout.room.label_growth > much;
+        shape.label_size = shape.direct ? vec2{108, 34} : is_tight ? vec2{58, 23} : vec2{72, 28};
         if (has_learned) shape.label_size.x += 60;
         const std::vector<NodeId>& aside = layout.room.aside;
         shape.aside = !shape.direct && std::find(aside.begin(), aside.end(), shape.ends.from) != aside.end();
@@ -118,23 +121,33 @@ void shape_curves(Layout& layout) {
     }
 }
 
-// The position nearest to `wanted` where a label covers no card and no earlier label; `wanted` if there is none.
-vec2 place_beside(const OccupiedBoxes& taken, vec2 wanted, vec2 size) {
+// The position nearest to `wanted` where a label covers no card and no earlier label, if there is one between the
+// corners of all cards; `wanted` if there is none. A label outside would make a fitted brain smaller.
+vec2 place_beside(const OccupiedBoxes& taken, vec2 wanted, vec2 size, vec2 low, vec2 high) {
     constexpr float step = 12;
-    constexpr int rings = 20;
-    for (int ring = 1; ring <= rings; ++ring)
+    constexpr int rings = 20, rings_beyond = 6;  // beyond the first place, which is outside
+    const auto is_between = [&](vec2 at) {
+        return at.x - size.x / 2 >= low.x && at.x + size.x / 2 <= high.x && at.y - size.y / 2 >= low.y &&
+               at.y + size.y / 2 <= high.y;
+    };
+    std::optional<vec2> outside;
+    int last = rings;
+    for (int ring = 1; ring <= last; ++ring)
         for (int i = -ring; i <= ring; ++i)
             for (const vec2 cell : {vec2{0, -1}, vec2{0, 1}, vec2{-1, 0}, vec2{1, 0}}) {
                 const auto far = static_cast<float>(ring), aside = static_cast<float>(i);
                 const vec2 at = wanted + (cell * far + vec2{cell.y, cell.x} * aside) * step;
-                if (!taken.overlaps(at, size)) return at;
+                const bool is_better = is_between(at) || !outside;
+                if (!is_better || taken.overlaps(at, size)) continue;
+                if (is_between(at)) return at;
+                outside = at, last = std::min(rings, ring + rings_beyond);
             }
-    return wanted;
+    return outside.value_or(wanted);
 }
 
 // At the middle, or at 0.3 of a steep wire because crossing wires meet at the middle; from there the nearest point
 // along the wire where the label covers no card and no earlier label. If there is none on the wire, beside it.
-void place_label(const OccupiedBoxes& taken, WireShape& wire, bool may_leave_wire) {
+void place_label(const OccupiedBoxes& taken, const Layout& layout, WireShape& wire, bool may_leave_wire) {
     const bool climbs = std::abs(wire.bezier[3].y - wire.bezier[0].y) > 80;
     const float wanted = climbs ? 0.3f : 0.5f;
     wire.label = bezier_point(wire.bezier, wanted);
@@ -147,7 +160,8 @@ void place_label(const OccupiedBoxes& taken, WireShape& wire, bool may_leave_wir
         wire.label = at;
         return;
     }
-    if (may_leave_wire) wire.label = place_beside(taken, wire.label, wire.label_size + vec2{8, 6});
+    if (may_leave_wire)
+        wire.label = place_beside(taken, wire.label, wire.label_size + vec2{8, 6}, layout.low, layout.high);
 }
 
 void place_labels(Layout& layout) {
@@ -155,7 +169,7 @@ void place_labels(Layout& layout) {
     OccupiedBoxes taken;
     for (const NodeShape& node : layout.nodes) taken.add(node.centre, node.size);
     for (WireShape& wire : layout.wires) {
-        place_label(taken, wire, layout.wires.size() <= many_wires);
+        place_label(taken, layout, wire, layout.wires.size() <= many_wires);
         if (wire.label_size.x > 0) taken.add(wire.label, wire.label_size);
         wire.low = wire.label - wire.label_size / 2, wire.high = wire.label + wire.label_size / 2;
         for (const vec2 corner : wire.bezier) wire.low = lower(wire.low, corner), wire.high = upper(wire.high, corner);

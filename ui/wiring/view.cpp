@@ -18,6 +18,8 @@ namespace {
 // button_margin in width.
 constexpr float side_margin = spacing::wide, bottom_margin = spacing::wide, top_margin = 56, button_margin = 212;
 constexpr float bare_margin = spacing::small;  // on all sides, without buttons
+constexpr float small_zoom = 0.6f;             // below: letters are enlarged, and labels with them
+constexpr float map_zoom = 0.36f;              // below: no labels
 
 float zoom_to_show(vec2 room, vec2 size, float ui_scale) {
     const float zoom = std::min(std::max(room.x, 1.0f) / size.x, std::max(room.y, 1.0f) / size.y) / ui_scale;
@@ -116,6 +118,32 @@ void zoom_at(CanvasCamera& camera, Rect area, float ui_scale, vec2 pixel, float 
     camera.by_user = true;
 }
 
+namespace {
+
+bool is_clear_of_buttons(const Layout& layout, const View& view, Rect area, float ui_scale) {
+    const float width = button_margin * ui_scale;
+    const Rect buttons{area.x + area.w - width, area.y, width, top_margin * ui_scale};
+    const auto is_clear = [&](const auto& shapes, auto rect) {
+        return std::none_of(shapes.begin(), shapes.end(),
+                            [&](const auto& shape) { return rect(view, shape).overlaps(buttons); });
+    };
+    return is_clear(layout.nodes, node_rect) && is_clear(layout.wires, label_rect);
+}
+
+// Shows all nodes in the whole area, in its middle or at its left side, where none is below the buttons.
+std::optional<CanvasCamera> beneath_buttons(const Layout& layout, const Box& box, Rect area, float ui_scale) {
+    const vec2 size = box.high - box.low, room = vec2{area.w, area.h} - vec2{2, 2} * (bare_margin * ui_scale);
+    CanvasCamera camera{(box.low + box.high) / 2, zoom_to_show(room, size, ui_scale)};
+    const float to_left = std::max(0.0f, (room.x / (camera.zoom * ui_scale) - size.x) / 2), middle = camera.middle.x;
+    for (const float shift : {0.0f, to_left}) {
+        camera.middle.x = middle + shift;
+        if (is_clear_of_buttons(layout, view_of(camera, area, ui_scale), area, ui_scale)) return camera;
+    }
+    return {};
+}
+
+}  // namespace
+
 void fit(CanvasCamera& camera, const Layout& layout, Rect area, float ui_scale, bool has_buttons) {
     const auto [low, high] = box_to_fit(layout);
     const vec2 size = high - low;
@@ -128,6 +156,10 @@ void fit(CanvasCamera& camera, const Layout& layout, Rect area, float ui_scale, 
         {area.w - 2 * side_margin * ui_scale, area.h - (top_margin + bottom_margin) * ui_scale}, size, ui_scale);
     const float beside = zoom_to_show(
         {area.w - (side_margin + button_margin) * ui_scale, area.h - 2 * bottom_margin * ui_scale}, size, ui_scale);
+    // In a small area the room below or beside the buttons is too small for letters.
+    const float most = std::max(beside, below);
+    const auto whole = beneath_buttons(layout, {low, high}, area, ui_scale);
+    if (whole && most < small_zoom && whole->zoom > 1.05f * most) return void(camera = *whole);
     const bool is_beside = beside > 1.1f * below;  // in a low area the room below the buttons is too small
     camera.zoom = is_beside ? beside : below;
     camera.middle = (low + high) / 2;
@@ -166,7 +198,6 @@ std::optional<Minimap> minimap_of(const Layout& layout, const View& view, Rect a
 }
 
 bool is_map(const View& view, float ui_scale, float least_type) {
-    constexpr float map_zoom = 0.4f;
     constexpr float letters = 26, most_growth = 1.7f;  // units; the cards of a sketch hold letters enlarged by so much
     return view.scale < map_zoom * ui_scale || least_type > most_growth * letters * view.scale;
 }
