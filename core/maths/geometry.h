@@ -22,21 +22,6 @@ inline bool in_triangle(vec2 p, vec2 a, vec2 b, vec2 c) {
     return w.x >= 0 && w.y >= 0 && w.z >= 0;
 }
 
-// True inside the convex quadrilateral and on its edges. Corners in order, either winding.
-inline bool in_quad(vec2 p, vec2 a, vec2 b, vec2 c, vec2 d) {
-    return in_triangle(p, a, b, c) || in_triangle(p, a, c, d);
-}
-
-// True within the radius of the apex, clockwise of the left arm and counter-clockwise of the right arm. The arms are
-// vectors of any length. `reflex`: the sector is larger than 180 degrees.
-inline bool in_sector(vec2 p, vec2 apex, vec2 right_arm, vec2 left_arm, float radius, bool reflex) {
-    const vec2 d = p - apex;
-    if (dot(d, d) > radius * radius) return false;
-    const bool left_of_right_arm = cross(right_arm, d) >= 0;
-    const bool right_of_left_arm = cross(left_arm, d) <= 0;
-    return reflex ? left_of_right_arm || right_of_left_arm : left_of_right_arm && right_of_left_arm;
-}
-
 // The point of the segment a..b nearest to p.
 inline vec2 nearest_on_segment(vec2 p, vec2 a, vec2 b) {
     const vec2 along = b - a;

@@ -81,13 +81,6 @@ inline mat4 rotation(float angle, vec3 axis) {
     return m;
 }
 
-constexpr mat4 transpose(const mat4& m) {
-    mat4 t;
-    for (int c = 0; c < 4; ++c)
-        for (int r = 0; r < 4; ++r) t[c][r] = m[r][c];
-    return t;
-}
-
 // View matrix of an eye that looks at the target. `up` must not be parallel to the line of sight.
 inline mat4 look_at(vec3 eye, vec3 target, vec3 up) {
     const vec3 back = normalise(eye - target);
@@ -99,17 +92,6 @@ inline mat4 look_at(vec3 eye, vec3 target, vec3 up) {
     view[2] = {right.z, top.z, back.z, 0};
     view[3] = {-dot(right, eye), -dot(top, eye), -dot(back, eye), 1};
     return view;
-}
-
-// vertical_field: rad in (0, pi); aspect: width / height > 0; 0 < near < far: distances along the line of sight.
-inline mat4 perspective(float vertical_field, float aspect, float near, float far) {
-    const float focal = 1.0f / std::tan(vertical_field / 2);
-    mat4 m;
-    m[0] = {focal / aspect, 0, 0, 0};
-    m[1] = {0, focal, 0, 0};
-    m[2] = {0, 0, (far + near) / (near - far), -1};
-    m[3] = {0, 0, 2 * far * near / (near - far), 0};
-    return m;
 }
 
 // Maps the box left..right, bottom..top, near..far (distances in front of the eye) to the clip volume.

@@ -86,7 +86,7 @@ TEST_F(Oracle, AgreesOnVectors) {
     }
 }
 
-TEST_F(Oracle, AgreesOnSumsProductsTransposesDeterminantsAndInverses) {
+TEST_F(Oracle, AgreesOnSumsProductsDeterminantsAndInverses) {
     for (int i = 0; i < rounds; ++i) {
         const mat4 a = matrix(), b = matrix();
         const vec4 v = four();
@@ -95,7 +95,6 @@ TEST_F(Oracle, AgreesOnSumsProductsTransposesDeterminantsAndInverses) {
         expect_same(product *= b, to_glm(a) * to_glm(b), 300);
         expect_same(a * b, to_glm(a) * to_glm(b), 300);
         expect_same(a * v, to_glm(a) * to_glm(v), 300);
-        expect_same(transpose(a), glm::transpose(to_glm(a)));
         const float size = glm::determinant(to_glm(a));
         expect_near(determinant(a), size, 20000);
         if (std::fabs(size) > 500) expect_same(inverse(a), glm::inverse(to_glm(a)), 10);
@@ -113,13 +112,9 @@ TEST_F(Oracle, AgreesOnModelViewAndProjection) {
         if (length(cross(normalise(target - eye), {0, 1, 0})) > 0.05f)
             expect_same(look_at(eye, target, {0, 1, 0}), glm::lookAt(to_glm(eye), to_glm(target), glm::vec3(0, 1, 0)),
                         20);
-        const float field = chance.uniform(0.2f, 2.5f), aspect = chance.uniform(0.4f, 3),
-                    near = chance.uniform(0.01f, 1);
-        expect_same(perspective(field, aspect, near, 100), glm::perspective(field, aspect, near, 100.0f), 10);
+        const float near = chance.uniform(0.01f, 1);
         expect_same(orthographic(-3, 4, -2, 5, near, 50), glm::ortho(-3.0f, 4.0f, -2.0f, 5.0f, near, 50.0f));
     }
-    const float far = 100, near = 0.5f;
-    EXPECT_FLOAT_EQ(perspective(1, 1, near, far)[3].z, 2 * far * near / (near - far));
 }
 
 TEST_F(Oracle, FindsIfAPointIsInsideOrOutside) {
@@ -134,28 +129,15 @@ TEST_F(Oracle, FindsIfAPointIsInsideOrOutside) {
         const vec3 w = barycentric(inside, a, b, c);
         EXPECT_NEAR(w.x, u, 1e-3f);
         EXPECT_NEAR(w.y, v, 1e-3f);
-        const vec2 d = a + (c - b);  // a parallelogram a, b, c, d
-        EXPECT_TRUE(in_quad(a + (b - a) * u + (d - a) * v, a, b, c, d));
-        EXPECT_FALSE(in_quad(a + (b - a) * -0.05f + (d - a) * v, a, b, c, d));
     }
 }
 
-TEST_F(Oracle, FindsPolarPointsInTheirSector) {
+TEST_F(Oracle, FindsDistanceAndAngleOfAPolarPoint) {
     for (int i = 0; i < rounds; ++i) {
-        const vec2 apex = two();
-        const float axis = number(3), half = chance.uniform(0.1f, 3.0f), radius = chance.uniform(1, 5);
-        const auto in = [&](float off, float distance) {
-            return in_sector(apex + from_polar(distance, axis + off), apex, direction(axis - half),
-                             direction(axis + half), radius, half > pi / 2);
-        };
-        EXPECT_TRUE(in(chance.uniform(-0.99f, 0.99f) * half, radius * chance.uniform(0.01f, 0.99f)));
-        EXPECT_FALSE(in(0, radius * 1.01f));
-        if (half < 3.0f) {
-            EXPECT_FALSE(in(half + 0.05f, radius * 0.5f)) << half;
-        }
-        const Polar back = to_polar(from_polar(radius, half));
-        EXPECT_NEAR(back.distance, radius, 1e-5f);
-        EXPECT_NEAR(back.angle, half, 1e-5f);
+        const float angle = chance.uniform(0.1f, 3.0f), distance = chance.uniform(1, 5);
+        const Polar back = to_polar(from_polar(distance, angle));
+        EXPECT_NEAR(back.distance, distance, 1e-5f);
+        EXPECT_NEAR(back.angle, angle, 1e-5f);
     }
 }
 

@@ -39,8 +39,8 @@ TEST(FreeSpace, AgreesWithASearchOfAllObjects) {
             // Sampled finely: anywhere in the obstacle nearer than the reach?
             const auto corners = corners_of(o);
             const vec2 p = maths::rotate(place - vec2{o.x, o.y}, maths::direction(-o.heading));
-            bool inside = corners.size() == 4 ? maths::in_quad(p, corners[0], corners[1], corners[2], corners[3])
-                                              : maths::in_triangle(p, corners[0], corners[1], corners[2]);
+            bool inside = maths::in_triangle(p, corners[0], corners[1], corners[2]) ||
+                          (corners.size() == 4 && maths::in_triangle(p, corners[0], corners[2], corners[3]));
             for (std::size_t i = 0; i < corners.size(); ++i)
                 inside |= maths::distance(maths::nearest_on_segment(p, corners[i], corners[(i + 1) % corners.size()]),
                                           p) < reach;

@@ -27,10 +27,10 @@ inline constexpr std::string_view play = "\uf04b", pause = "\uf04c", step = "\uf
                                   undo = "\uf0e2", previous = "\uf104", next = "\uf105", map = "\uf00a",
                                   robot = "\uf2db";
 // Of the channels.
-inline constexpr std::string_view light = "\uf185", coloured_light = "\uf0eb", heat = "\uf06d", smell = "\uf069",
-                                  oxygen = "\uf06c", obstacle = "\uf1b2", predator = "\uf0d8", prey = "\uf111",
-                                  vehicle = "\uf1b9", memory = "\uf041", touch = "\uf256", floor = "\uf018",
-                                  energy = "\uf0e7", random = "\uf074";
+inline constexpr std::string_view light = "\uf185", heat = "\uf06d", smell = "\uf069", oxygen = "\uf06c",
+                                  obstacle = "\uf1b2", predator = "\uf0d8", prey = "\uf111", vehicle = "\uf1b9",
+                                  memory = "\uf041", touch = "\uf256", floor = "\uf018", energy = "\uf0e7",
+                                  random = "\uf074";
 }  // namespace icon
 
 enum class Face { text, strong, title, small, label, display, caption };
