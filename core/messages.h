@@ -265,9 +265,10 @@ inline constexpr auto message_table = std::to_array<MessageText>({
     {"equal_starts",
      "all {} starts are alike, so a brain that fits one passes; add 'heading_spread' or 'place_spread'"},
     {"answer_untested", "nothing tests that the run shows this answer; add a check as [[predict.shows]]"},
-    {"run_before_answer",
-     ". In {} s of the run with the shipped brain and seed {} the vehicle drives {} m and turns {}° to the left in all "
-     "(minus: to the right)"},
+    {"run_before_answer", ". In {} s of the run with the shipped brain and seed {} the vehicle drives {} m"},
+    {"left_before_answer", " and turns {}° to the left in all"},
+    {"right_before_answer", " and turns {}° to the right in all"},
+    {"straight_before_answer", " straight on"},
     {"source_before_answer", "; its distance to {} goes from {} m to {} m"},
     {"answer_of_any_brain",
      "every run meets the checks of the answer, also with the solution, with crossed wires and with the wrong answers, "

@@ -199,7 +199,12 @@ Message run_before_answer(const Exercise& exercise) {
         turned += maths::wrap_angle(path[i].heading - path[i - 1].heading);
     }
     Message said = message_of("run_before_answer", shortly(exercise.prediction.after), exercise.seed,
-                              fmt::format("{:.1f}", driven), fmt::format("{:.0f}", maths::degrees(turned)));
+                              fmt::format("{:.1f}", driven));
+    const float degrees = std::fabs(maths::degrees(turned));
+    const std::string angle = fmt::format("{:.0f}", degrees);
+    said = said + (degrees < 1  ? message_of("straight_before_answer")
+                   : turned > 0 ? message_of("left_before_answer", angle)
+                                : message_of("right_before_answer", angle));
     const Source* nearest = nullptr;
     const auto away = [](const Source& source, const Pose& pose) {
         return std::hypot(source.x - pose.x, source.y - pose.y);

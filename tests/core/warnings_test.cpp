@@ -153,12 +153,16 @@ TEST(Warnings, AnAnswerThatNothingTestsIsSaidBesideWhatTheRunDoes) {
     const std::string untested = replaced(sound, checks, "");
     expect_warning(untested, "In 2 s of the run with the shipped brain and seed 1 the vehicle drives 1.", "answer =");
     expect_warning(untested, "its distance to 'a' goes from 4.5 m to 3.", "answer =");
+    expect_warning(untested, " m straight on; its distance", "answer =");
     const std::string turning =
         replaced(untested, "[scene.kind.car.brain]\nLM = 0.3", "[scene.kind.car.brain]\nLM = 0");
     const auto found = warnings(turning);
     ASSERT_EQ(found.size(), 1u);
     EXPECT_EQ(found[0].what.find(" turns 0°"), std::string::npos) << found[0].text();
     EXPECT_EQ(found[0].what.find(" turns -"), std::string::npos) << "it turns to the left: " << found[0].text();
+    EXPECT_NE(found[0].what.find("° to the left in all"), std::string::npos) << found[0].text();
+    expect_warning(replaced(untested, "RM = 0.3\n\n[scene.vehicle.one]", "RM = 0\n\n[scene.vehicle.one]"),
+                   "° to the right in all", "answer =");
 }
 
 TEST(Warnings, ACheckOfTheAnswerThatEveryBrainMeets) {
