@@ -185,6 +185,11 @@ test("An upright telephone has its cards below the scene, and larger type keeps 
         };
         await tap("card.exercise");
         const before = await inside();
+        assert.ok(before["exercise.predict.3"][3] >= 43.5, `the last answer: ${before["exercise.predict.3"]}`);
+        assert.equal(before["tool.lamp"], undefined, "the tools leave the scene free");
+        await tap("tools");
+        assert.ok((await inside())["tool.ruler"]);
+        await tap("tool.hand");
         await lab.page.screenshot({ path: path.join(root, "build/web-tests/narrow.png") });
         await tap("exercise.predict.1");
         await lab.until((state) => state.exercise.predicted === 0);

@@ -177,6 +177,35 @@ test("A page follows the progress that another page stores", limit, () =>
         await one.until((state) => state.exercise.notes === "from another page");
     }));
 
+test("Notes of one exercise in two pages keep the words of both, also in a field that is active", limit, () =>
+    withLab("?open=01-drive", async (one) => {
+        const two = await Lab.openIn(one.page.context(), labs.server.address + "?open=01-drive");
+        const openNotes = async (lab) => {
+            await lab.page.bringToFront();
+            await lab.click("exercise.note");
+            await lab.until((state) => state.focus === "exercise.note.text");
+            await lab.frames(4);
+        };
+        const keptNotes = async (lab) => JSON.parse(await stored(lab, progress) ?? "{}").exercises?.["01-drive"]?.notes;
+        const type = async (lab, words, all) => {
+            await lab.page.keyboard.type(words);
+            await eventually(lab, async () => (await keptNotes(lab)) === all, `${all} is stored`);
+        };
+        await openNotes(one);
+        await openNotes(two);
+        await type(two, "of two", "of two");
+        await one.page.bringToFront();
+        await one.until((state) => state.exercise.notes === "of two", null, "the active field takes it over");
+        assert.equal((await one.state()).focus, "exercise.note.text");
+        await one.page.keyboard.press("End");
+        await type(one, " and one", "of two and one");
+        await two.page.bringToFront();
+        await two.until((state) => state.exercise.notes === "of two and one");
+        await two.page.keyboard.press("End");
+        await type(two, "!", "of two and one!");
+        assert.deepEqual(two.errors, []);
+    }));
+
 test("Work of a page that is open is not offered to another one", limit, () =>
     withLab("?open=2a-coward", async (one) => {
         const [x, y, w, h] = await one.rectangle("slider.LL");
@@ -247,6 +276,10 @@ test("The notes of a lecture are in a window of their own and follow it", limit,
         await lab.page.bringToFront();
         await lab.page.keyboard.press("n");
         await lab.until((state) => state.lecture.notes, null, "N shows them to the audience");
+        await lab.page.keyboard.press("F9");
+        await notes.waitForSelector("p:has-text('The lecture is over')");
+        await lab.page.keyboard.press("t");
+        await notes.waitForFunction(() => getComputedStyle(document.body).backgroundColor === "rgb(255, 255, 255)");
     }));
 
 // In the page before the lab: the browser refuses the storage.
@@ -385,6 +418,11 @@ test("A frame that may refuse downloads offers the text of a hand-in", limit, as
         await frame.click("#notice-act");
         assert.deepEqual(await frame.evaluate(() => window.copied), ["student = 'Ana'"]);
         await frame.waitForFunction(() => /copied.*a\.braiten-handin\.toml/.test(document.getElementById("notice-text").textContent));
+        await frame.click("#canvas", { position: { x: 600, y: 300 } });
+        await page.keyboard.press("Control+s");
+        await frame.waitForFunction(() => window.braitenlab.state().focus === "files.path");
+        await page.keyboard.press("Enter");
+        await frame.waitForFunction(() => window.braitenlab.state().notice_key === "notice.framed_download", null, { timeout: 10000 });
     } finally {
         await context.close();
     }
