@@ -203,7 +203,8 @@ TEST(ExercisesLayout, TheOutcomeIsInSightAsSoonAsItIsKnownInASmallWindow) {
                         add_translations(it.desk.strings, texts_of(exercise), words_of_course(language));
                     it.play_after_prediction();
                     if (!came_true) it.desk.lesson.attempt.answers.prediction = exercise.prediction.answer == 0 ? 1 : 0;
-                    it.desk.lesson.attempt.answers.hints_shown = std::min<int>(hints, std::ssize(exercise.hints));
+                    it.desk.lesson.attempt.answers.hints_shown =
+                        std::min(hints, static_cast<int>(exercise.hints.size()));
                     it.desk.lesson.as_given = !is_about_end(exercise);
                     it.desk.lesson.verdicts[0].lost = true;
                     it.desk.frame(8);
@@ -330,7 +331,9 @@ TEST(ExercisesLayout, TheNumbersOfASumAreApartAndAddUpToWhatIsAfterTheEqualsSign
                     std::string all;
                     for (std::size_t i = 0; i < row.size(); ++i) {
                         all += row[i].words + " ";
-                        if (i > 0) EXPECT_GE(row[i].rect.x - row[i - 1].rect.x - row[i - 1].rect.w, least_gap) << all;
+                        if (i > 0) {
+                            EXPECT_GE(row[i].rect.x - row[i - 1].rect.x - row[i - 1].rect.w, least_gap) << all;
+                        }
                     }
                     ASSERT_GE(row.size(), 4u) << all;
                     double sum = 0;
@@ -338,7 +341,9 @@ TEST(ExercisesLayout, TheNumbersOfASumAreApartAndAddUpToWhatIsAfterTheEqualsSign
                     const double total = shown_value(row.back().words);
                     const std::string& sign = row[row.size() - 2].words;
                     const bool adds_up = std::fabs(sum - total) < 0.0051;
-                    if (sign != "→") EXPECT_EQ(sign, adds_up ? "=" : "≈") << all;
+                    if (sign != "→") {
+                        EXPECT_EQ(sign, adds_up ? "=" : "≈") << all;
+                    }
                     ++sums;
                 }
             }
@@ -366,9 +371,11 @@ TEST(ExercisesLayout, TheBadgeOfWhatPulsesCoversNoText) {
                     for (const Written& each : it.desk.written) {
                         const float letters = 0.2f * each.rect.h;  // above and below them the line is empty
                         const Rect seen{each.rect.x, each.rect.y + letters, each.rect.w, each.rect.h - 2 * letters};
-                        if (each.words != icon::hint && seen.y < each.clip.y + each.clip.h && each.clip.overlaps(seen))
+                        if (each.words != icon::hint && seen.y < each.clip.y + each.clip.h &&
+                            each.clip.overlaps(seen)) {
                             EXPECT_FALSE(bulb.overlaps(seen))
                                 << each.words << " by that of " << it.desk.panels.prompts.highlight.anchor;
+                        }
                     }
                 }
     EXPECT_GT(badges, 100);
@@ -409,7 +416,9 @@ TEST(ExercisesLayout, NoTextIsCutAtTwiceTheScale) {
                 it.desk.frame(8);
                 EXPECT_EQ(it.desk.shortened, 0);
                 for (const Written& each : it.desk.written)
-                    if (!each.scrolls) EXPECT_FALSE(is_cut_off(each)) << each.words;
+                    if (!each.scrolls) {
+                        EXPECT_FALSE(is_cut_off(each)) << each.words;
+                    }
                 texts += static_cast<int>(it.desk.written.size());
             }
     EXPECT_GT(texts, 2000);

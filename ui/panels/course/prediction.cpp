@@ -229,7 +229,8 @@ void prediction(const LabView& view, PanelState& state, Ui& ui) {
     ExerciseRows& rows = state.exercise.rows;
     const float top = begin_row(rows);
     const bool can_choose = is_open && view.may.open_prediction;
-    // Above answers and outcomes of a low card, and above the high rows of answers for a finger, it would take their room.
+    // Above answers and outcomes of a low card, and above the high rows of answers for a finger, it would take their
+    // room.
     const bool needs_room =
         can_choose ? has_close_rows(view, ui) || view.program.touch : !is_open && is_in_low_body(ui);
     if (!needs_room) subheading(ui, ui.strings("exercise.predict"));
