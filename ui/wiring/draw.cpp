@@ -86,7 +86,7 @@ void fade_out(ImDrawList& list, const ImVec2* pairs, int count, ImU32 colour) {
 // The least width of a neuron's card in which every neuron's name is whole, and beside its curve also the widest
 // number, within the gap of two columns. On the map of many nodes a card is as wide as the wires beside it allow.
 float neuron_width(const Pen& pen, const LabView& view, const VehicleView& vehicle, const BrainGraph& graph) {
-    constexpr float on_large_map = 212;  // units
+    constexpr float on_large_map = 240;  // units
     const bool map = detail_of(pen) == Detail::map;
     const float usual = LetterRoom{}.neuron_width, most = 1.6f * usual;
     const float least = map && graph.nodes.size() > few_nodes ? on_large_map : usual;

@@ -241,13 +241,13 @@ void NumberSheet::curve_numbers(Curve& curve, bool has_threshold) {
 }
 
 float sheet_height(const Ui& ui, float width) {
-    constexpr float around = 48, below_heading = 18;  // of the card, layout pixels
+    constexpr float below_heading = 12;  // layout pixels
     constexpr auto rows = static_cast<float>((responses.size() + curve_columns - 1) / curve_columns);
     const float curves = 44 + rows * (ui.tall(kind_height) + spacing::tight);
     const float row = ui.tall(slider_height);
     const bool stands = is_one_column(ui, room_for_sliders(ui, width));
     const float numbers = stands ? numbers_of_a_wire * row : 2 * row + spacing::small;
-    return std::max(ui.px(around), folded_height(ui) + ui.px(below_heading)) + ui.px(std::max(curves, numbers));
+    return folded_height(ui) + ui.px(below_heading + std::max(curves, numbers));
 }
 
 void lesion_button(Inspected& in, bool lesioned, std::string_view lesion_words) {
