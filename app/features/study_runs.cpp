@@ -33,7 +33,7 @@ void take_rows(StudyRuns& study, const StudyTable& table) {
 
 // Runs that are in files beside the study are taken over.
 void take_table(StudyRuns& study) {
-    StudyTable table(study.base, table_of_study(study.file).string());
+    StudyTable table(study.base, table_of_study(study.file, study.base->study()).string());
     std::vector<std::filesystem::path> files{study.file};
     if (const auto scene = scene_beside(study.file, study.base->study().scene)) files.push_back(*scene);
     table.read(files);
@@ -181,7 +181,7 @@ Result<std::filesystem::path> save_study(StudyRuns& study, const std::filesystem
         study.last = study.file.string();
     }
     if (!study.table) take_table(study);
-    if (!study.table) study.table.emplace(study.base, table_of_study(study.file).string());
+    if (!study.table) study.table.emplace(study.base, table_of_study(study.file, study.base->study()).string());
     if (study.table->rows().size() < study.base->study().runs())
         if (auto error = add_rows(study, {})) return *error;
     study.kept.reset();

@@ -193,9 +193,19 @@ Result<fs::path> write_study_files(const insight::Study& wanted, const std::stri
     }
 }
 
-fs::path table_of_study(const fs::path& study_file) {
-    fs::path path = study_file;
-    return path.replace_extension(".csv");
+fs::path table_of_study(const fs::path& study_file, const insight::Study& study) {
+    const std::string header = insight::study_header(study);
+    for (int number = 1;; ++number) {
+        const std::string suffix = number > 1 ? fmt::format("-{}", number) : "";
+        fs::path table = fs::path(study_file).replace_extension();
+        table += suffix + ".csv";
+        std::error_code none;
+        if (!fs::exists(table, none)) return table;
+        std::string begin(header.size(), '\0');
+        if (std::ifstream in(table, std::ios::binary);
+            in.read(begin.data(), static_cast<std::streamsize>(begin.size())) && begin == header)
+            return table;
+    }
 }
 
 }  // namespace braitenlab

@@ -182,6 +182,18 @@ TEST_F(LabStudy, OfTheSameSceneIsWrittenOnceAndOfAnotherBesideIt) {
     EXPECT_TRUE(load_study(saved("2b-aggressor-study-2.toml")));
 }
 
+TEST_F(LabStudy, ThatIsSavedLeavesAFileOfItsTablesNameThatIsNoTableOfIt) {
+    put_text(saved("2b-aggressor-study.csv"), "name,mark\nAnna,9\n");
+    build();
+    save();
+    handle(lab, StudyRequest{StudyEdit::run});
+    finish();
+    EXPECT_EQ(*read_text(saved("2b-aggressor-study.csv")), "name,mark\nAnna,9\n");
+    EXPECT_EQ(view().table, saved("2b-aggressor-study-2.csv").string());
+    handle(lab, StudyRequest{StudyEdit::open, saved("2b-aggressor-study.toml").string()});
+    EXPECT_EQ(view().rows->size(), view().base->study().runs()) << "the table is found again";
+}
+
 TEST_F(LabStudy, WhoseSceneHasChangedDoesNotTakeOverItsTable) {
     build();
     save();
