@@ -143,6 +143,7 @@ int open_and_run(Options options) {
     auto window = Window::open({.title = "Braitenlab",
                                 .width = is_off_screen ? Options{}.width : width,
                                 .height = is_off_screen ? Options{}.height : height,
+                                .fits_display = !options.size_given && !is_off_screen,
                                 .full_screen = options.full_screen,
                                 .visible = !options.only_draws() || options.full_screen,
                                 .watch_graphics = options.graphics.watch});

@@ -202,10 +202,23 @@ void hint_context(const WindowOptions& options, int samples) {
 #endif
 }
 
+// The size, or as much of it as a display has, whichever has the most.
+std::pair<int, int> size_on_display(int width, int height) {
+    int count = 0, widest = 0, highest = 0;
+    GLFWmonitor** monitors = glfwGetMonitors(&count);
+    for (int i = 0; i < count; ++i) {
+        int area[4]{};
+        glfwGetMonitorWorkarea(monitors[i], &area[0], &area[1], &area[2], &area[3]);
+        widest = std::max(widest, std::min(width, area[2])), highest = std::max(highest, std::min(height, area[3]));
+    }
+    return {widest > 0 ? widest : width, highest > 0 ? highest : height};
+}
+
 GLFWwindow* make_window(const WindowOptions& options, int samples) {
     hint_context(options, samples);
     GLFWmonitor* monitor = options.full_screen ? glfwGetPrimaryMonitor() : nullptr;
-    int width = options.width, height = options.height;
+    auto [width, height] = options.fits_display ? size_on_display(options.width, options.height)
+                                                : std::pair(options.width, options.height);
     if (monitor)
         if (const GLFWvidmode* mode = glfwGetVideoMode(monitor)) width = mode->width, height = mode->height;
     GLFWwindow* window = glfwCreateWindow(width, height, options.title.c_str(), monitor, nullptr);

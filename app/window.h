@@ -21,6 +21,7 @@ namespace braitenlab {
 struct WindowOptions {
     std::string title;
     int width = 1280, height = 800;
+    bool fits_display = false;  // is made smaller where no display has this size
     bool full_screen = false;
     bool visible = true;
     bool watch_graphics = false;  // the driver checks every call, see graphics_errors()

@@ -14,11 +14,11 @@ namespace braitenlab::tests {
 
 class XServer {
 public:
-    XServer() {
+    explicit XServer(const std::string& size = "1920x1200") {
         int ends[2];
         if (pipe(ends) != 0) return;
         server_ = fork();
-        if (server_ == 0) run(ends);
+        if (server_ == 0) run(ends, size + "x24");
         close(ends[1]);
         // The display's number, once the server accepts clients. The server writes the newline separately and ends if
         // it cannot, so read up to it.
@@ -40,11 +40,11 @@ public:
     }
 
 private:
-    [[noreturn]] static void run(const int (&ends)[2]) {
+    [[noreturn]] static void run(const int (&ends)[2], const std::string& screen) {
         prctl(PR_SET_PDEATHSIG, SIGTERM);
         close(ends[0]);
         const std::string descriptor = std::to_string(ends[1]);
-        execlp("Xvfb", "Xvfb", "-displayfd", descriptor.c_str(), "-screen", "0", "1920x1200x24", "-nolisten", "tcp",
+        execlp("Xvfb", "Xvfb", "-displayfd", descriptor.c_str(), "-screen", "0", screen.c_str(), "-nolisten", "tcp",
                "-noreset", "-audit", "0", static_cast<char*>(nullptr));
         _exit(127);
     }

@@ -1,5 +1,6 @@
 // Overlays and fields in the real window.
 #include "tests/window/lab_window.h"
+#include "tests/x_server.h"
 
 namespace braitenlab::tests::view_window_test {
 namespace {
@@ -63,6 +64,26 @@ TEST(ViewWindow, RestsAfterAHintHasPulsedForAWhile) {
             return wait_for([&] { return lab.state()["frames"] > frames + 5; }) && pictures() == before;
         },
         40));
+}
+
+TEST(ViewWindow, IsNotLargerThanTheDisplayUnlessItsSizeIsGiven) {
+    if (!windows_program().empty()) GTEST_SKIP() << "wine has a desktop of its own";
+    const std::string usual = std::getenv("DISPLAY");
+    XServer server("1024x600");
+    setenv("DISPLAY", server.display().c_str(), 1);
+    const auto has_size = [](const char* size) {
+        const std::string geometry = "xdotool search --onlyvisible --name Braitenlab getwindowgeometry";
+        return wait_for([&] { return shell(geometry).out.find(size) != std::string::npos; });
+    };
+    {
+        LabWindow lab({"2a-coward"});
+        EXPECT_TRUE(has_size("1024x600"));
+    }
+    {
+        LabWindow lab({"2a-coward", "--size", "1280x800"});
+        EXPECT_TRUE(has_size("1280x800"));
+    }
+    setenv("DISPLAY", usual.c_str(), 1);
 }
 
 TEST(MenuWindow, OpensByF10AndByAltAloneAndIsUsedByKeys) {
