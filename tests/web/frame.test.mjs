@@ -188,7 +188,8 @@ test("An upright telephone has its cards below the scene, and larger type keeps 
         assert.ok(before["exercise.predict.3"][3] >= 43.5, `the last answer: ${before["exercise.predict.3"]}`);
         assert.equal(before["tool.lamp"], undefined, "the tools leave the scene free");
         await tap("tools");
-        assert.ok((await inside())["tool.ruler"]);
+        for (let turns = 0; turns < 20 && !(await lab.anchors())["tool.ruler"]; ++turns) await lab.frames(2);
+        assert.ok((await inside())["tool.ruler"], "all tools are shown");
         await tap("tool.hand");
         await lab.page.screenshot({ path: path.join(root, "build/web-tests/narrow.png") });
         await tap("exercise.predict.1");
