@@ -206,4 +206,18 @@ TEST_F(LongExercise, NoLineIsCutAboveANewHint) {
         }
 }
 
+TEST_F(LongExercise, AHintThatIsAskedForBeforeThePredictionIsInSight) {
+    for (const std::string& language : shipped_codes())
+        for (const float height : {560.0f, 600.0f, 640.0f}) {
+            Desk desk(800, height, 1, true);
+            desk.strings = speaking(language);
+            desk.open_exercise();
+            desk.opened.prediction.question = sentences("The lamp is on its right. What will it do? ", 2);
+            desk.frame(6);
+            desk.lesson.attempt.answers.hints_shown = 1;
+            desk.frame(6);
+            EXPECT_TRUE(is_in_sight(text_of(desk, desk.opened.hints[0].text))) << language << height;
+        }
+}
+
 }  // namespace braitenlab::tests::exercise_rows_test

@@ -38,7 +38,8 @@ void scroll_to_aim(const Ui& ui, ExerciseRows& rows) {
                                                                                  : ExerciseRows::Part{};
     const float wanted = part.end - ImGui::GetWindowHeight() + above;
     const float latest = std::min(part.top, ImGui::GetScrollMaxY() + above);
-    ImGui::SetScrollY(std::max(0.0f, row_to_stop_at(rows.tops, wanted, latest) - above));
+    const float stop = std::max(row_to_stop_at(rows.tops, wanted, latest), std::min(wanted, latest));
+    ImGui::SetScrollY(std::max(0.0f, stop - above));
 }
 
 }  // namespace braitenlab::ui

@@ -38,8 +38,8 @@ float begin_row(ExerciseRows&);
 // Scrolls to this part in this frame and the next ones.
 void aim_at(ExerciseRows&, ExerciseRows::Aim);
 
-// Scrolls the body while it settles: to the first row with which the end of the aim is in sight, but not beyond the top
-// of the aim. Call after the rows.
+// Scrolls the body while it settles: to the first row with which the end of the aim is in sight, within a row where
+// none is so, but not beyond the top of the aim. Call after the rows.
 void scroll_to_aim(const Ui&, ExerciseRows&);
 
 }  // namespace braitenlab::ui
