@@ -180,8 +180,9 @@ TEST_F(FileCommands, ALargeFileWithAnErrorIsRefusedInAboutTheTimeOfReadingIt) {
     for (const auto& [end, dropped, most] :
          {std::tuple("x = 0,5\n", false, 2.9), {"[arena]\n", false, 2.1}, {"[[step]]\n", true, 4.0}}) {
         put_text(folder / "large.toml", keys + end);
+        const OpenRequest request{.path = (folder / "large.toml").string(), .dropped = dropped};
         const double open = seconds_of([&] {
-            ask(OpenRequest{.path = (folder / "large.toml").string(), .dropped = dropped});
+            ask(request);
             EXPECT_TRUE(files.refused);
         });
         EXPECT_LT(open, most * parse) << end << open << " s, the text alone " << parse;
