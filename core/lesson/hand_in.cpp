@@ -23,7 +23,7 @@ void describe(auto& v, Of<HandIn>) {
     constexpr Range counts{0, 1e6};
     v.text("student", &HandIn::student, limits::student_length, "name of the student; required");
     v.text("exercise", &HandIn::exercise, limits::title_length, "id of the exercise, like 05-aggressor; required");
-    v.text("written", &HandIn::written, limits::name_length, "time of writing in UTC, like 2026-11-22T16:37:29Z");
+    v.text("written", &HandIn::written, limits::name_length, "time of writing in UTC, like \"2026-11-22T16:37:29Z\"");
     v.number("prediction", &HandIn::prediction, "", {0, 100}, "number of the option chosen, from 1; 0: none");
     v.number("runs", &HandIn::runs, "", counts, "runs begun since the exercise was opened");
     v.number("hints", &HandIn::hints, "", counts, "hints shown");
