@@ -150,6 +150,14 @@ int write_marks(const ClassReport& report, const Strings& strings, const ClassOp
     if (!book->shown.empty()) std::cerr << one_line(with_names(strings("report.marks_shown"), book->shown)) << '\n';
     const std::string_view unmarked = strings(options.list.empty() ? "report.unmarked_of_files" : "report.unmarked");
     if (!book->unmarked.empty()) std::cerr << one_line(with_names(unmarked, book->unmarked)) << '\n';
+    std::vector<std::string> same, named;
+    for (const ClassRow& row : report.rows) {
+        if (!row.same_as.empty()) same.push_back(row.student);
+        if (const std::string other = other_name(row); !other.empty())
+            named.push_back(row.student + " (" + other + ")");
+    }
+    if (!same.empty()) std::cerr << one_line(with_names(strings("report.marks_same"), same)) << '\n';
+    if (!named.empty()) std::cerr << one_line(with_names(strings("report.marks_other_name"), named)) << '\n';
     if (book->not_in_list.empty()) return exit_code::done;
     return complain({with_names(strings("report.not_in_list"), book->not_in_list)});
 }

@@ -124,6 +124,21 @@ TEST(CtlGradebook, MessagesNameEverybodyInTheLanguage) {
         EXPECT_NE(de.find(line), std::string::npos) << line << "\n" << de;
 }
 
+TEST(CtlGradebook, SaysWhoHandedInTheSameFileOrThatOfAnotherPerson) {
+    const Folder folder;
+    const std::string file = handed_in("John Smith", Work::solved);
+    for (const char* person : {"Smith John_101", "Smith Jane_102"})
+        put_text(folder / "s" / (std::string(person) + "_assignsubmission_file_") / "a.toml", file);
+    put_text(folder / "s" / "Nowak Jan_103_assignsubmission_file_" / "a.toml", handed_in("Jan Nowak", Work::as_given));
+    const std::string told = grade_in(folder, "s --gradebook csv --marks marks.csv").out;
+    EXPECT_NE(told.find("the same file from several people, marked as others: 2: Smith Jane; Smith John\n"),
+              std::string::npos)
+        << told;
+    EXPECT_NE(told.find("the file names another person, marked as others: 1: Smith Jane (John Smith)\n"),
+              std::string::npos)
+        << told;
+}
+
 TEST(CtlGradebook, ReadsTheWorksheetInSpanishWithDecimalCommas) {
     const Folder folder;
     put_class(folder);
