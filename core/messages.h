@@ -382,8 +382,15 @@ inline constexpr auto message_table = std::to_array<MessageText>({
      "the wheel of {} may never turn: its command is {} at most, and an L298 turns it for certain from {} on, a TB6612 "
      "from {} on; raise its bias or its weights, or take a driver with an analog input"},
     {"circuit_rest",
-     "while its sensors sense nothing, the command of {} is {}, with which the lab's vehicle drives, and the driver {} "
-     "turns the wheel for certain from {} on; raise its bias, or start the robot near what it senses"},
+     "while its sensors sense nothing, in total darkness, the command of {} is {}, with which the lab's vehicle "
+     "drives, "
+     "and the driver {} turns the wheel for certain from {} on; raise its bias, or start the robot near what it "
+     "senses"},
+    {"circuit_rest_in_room",
+     "while its sensors sense nothing but the light of the scene's room, the command of {} is {}, with which the lab's "
+     "vehicle drives, and the driver {} turns the wheel for certain from {} on; raise its bias, or start the robot "
+     "near "
+     "what it senses"},
     {"circuit_inverted",
      "the part for {} gives nearly 1 above black and less above white, the reverse of the lab; give its wires the "
      "other "

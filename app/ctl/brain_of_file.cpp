@@ -93,11 +93,16 @@ Result<BrainOfFile> brain_of_run(const Snapshot& now, const BrainChoice& choice,
     return of_kind(now.scene->kinds[*kind], *now.kind_brains[*kind], "kind " + now.scene->kinds[*kind].name);
 }
 
+Result<BrainOfFile> in_arena(Result<BrainOfFile> found, const Arena& arena) {
+    if (found) found->ambient = arena.ambient, found->lux = arena.lux;
+    return found;
+}
+
 Result<BrainOfFile> load_run_brain(const std::filesystem::path& path, const BrainChoice& choice) {
     const auto saved = io::load_run(path);
     if (!saved) return saved.error();
     const Snapshot now = snapshot_of(World::restore(saved->checkpoint));
-    return brain_of_run(now, choice, path.string());
+    return in_arena(brain_of_run(now, choice, path.string()), now.scene->arena);
 }
 
 }  // namespace
@@ -119,7 +124,7 @@ Result<BrainOfFile> brain_of_text(const std::string& text, const std::string& fi
     }
     const auto scene = parse_scene(text, file);
     if (!scene) return scene.error();
-    return brain_of_scene(*scene, choice, file);
+    return in_arena(brain_of_scene(*scene, choice, file), scene->arena);
 }
 
 Result<BrainOfFile> brain_of_file(const std::string& file, const BrainChoice& choice) {

@@ -23,6 +23,7 @@ struct BrainOfFile {
     std::string owner;              // "kind coward", "vehicle one", "hand-in of Ana"; empty for a brain file
     std::vector<Sensor> sensors{};  // of the kind, the vehicle or the hand-in; empty for a brain file
     float length = 0, width = 0;    // m, of the body; 0: of a hand-in or a brain file
+    float ambient = 0, lux = 0;     // of the arena; 0: of a hand-in or a brain file
 };
 
 // Reads the brain of a file, which is a path or the name of a shipped scene. Without a choice: of a scene, the brain of

@@ -33,8 +33,9 @@ Result<robots::BrainToExport> brain_to_export(const std::string& file, const Bra
     std::string stem = std::filesystem::path(file).stem().string();
     if (is_hand_in(file)) stem = std::filesystem::path(stem).stem().string();
     const std::string title = found->owner.empty() ? stem : stem + ", " + found->owner;
-    return robots::BrainToExport{title, std::move(found->brain), std::move(found->sensors), found->length,
-                                 found->width};
+    return robots::BrainToExport{
+        title,     std::move(found->brain), std::move(found->sensors), found->length, found->width, found->ambient,
+        found->lux};
 }
 
 Result<robots::Target> target_of(const std::string& given) {

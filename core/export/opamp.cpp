@@ -29,6 +29,26 @@ const Input& input_of(const Plan& plan, const PlanTap& tap) {
     return plan.inputs[static_cast<std::size_t>(tap.source)];
 }
 
+// Of its voltage by 5 V. The light of the room adds to that of the lamp.
+Range readings_of(const Input& input) {
+    const Range readings = part_of(input, Board::circuit).readings;
+    return {readings.low, std::max(readings.high, input.in_room)};
+}
+
+// While it senses nothing but the room.
+float reading_at_rest(const Input& input) { return std::max(readings_of(input).low, input.in_room); }
+
+bool is_dark(const Plan& plan) {
+    return std::all_of(plan.inputs.begin(), plan.inputs.end(), [](const Input& i) { return i.in_room <= 0; });
+}
+
+// "total darkness", "the scene's room of 30 lx": where nothing but the room is sensed.
+std::string room_text(const Plan& plan) {
+    if (plan.lux > 0 && !is_dark(plan))
+        return fmt::format("the scene's room of {}", lux_text(static_cast<double>(plan.lux)));
+    return is_dark(plan) ? "total darkness" : "the ambient light of the scene's room";
+}
+
 // Conductances are in units of 1/Rf.
 double exact_share(const Resistor& r) { return feedback_ohms / r.exact; }
 double e24_share(const Resistor& r) {
@@ -290,7 +310,7 @@ double largest_reading_of_dark(const Plan& plan) {
 Range commands_of(const Plan& plan, const PlanUnit& motor) {
     Range commands{motor.bias, motor.bias};
     for (const PlanTap& tap : motor.taps) {
-        const Range readings = part_of(input_of(plan, tap), Board::circuit).readings;
+        const Range readings = readings_of(input_of(plan, tap));
         commands.low += tap.weight * (tap.weight < 0 ? readings.high : readings.low);
         commands.high += tap.weight * (tap.weight < 0 ? readings.low : readings.high);
     }
@@ -300,16 +320,16 @@ Range commands_of(const Plan& plan, const PlanUnit& motor) {
 double command_at_rest(const Plan& plan, const PlanUnit& motor) {
     double command = static_cast<double>(motor.bias);
     for (const PlanTap& tap : motor.taps)
-        command += static_cast<double>(tap.weight * part_of(input_of(plan, tap), Board::circuit).readings.low);
+        command += static_cast<double>(tap.weight * reading_at_rest(input_of(plan, tap)));
     return command;
 }
 
 std::optional<double> reading_for(const Plan& plan, const PlanUnit& motor, const PlanTap& tap, double command) {
     if (tap.weight <= 0) return std::nullopt;
-    const Range readings = part_of(input_of(plan, tap), Board::circuit).readings;
-    const double reading =
-        static_cast<double>(readings.low) + (command - command_at_rest(plan, motor)) / static_cast<double>(tap.weight);
-    return reading <= static_cast<double>(readings.high) ? std::optional(reading) : std::nullopt;
+    const Input& input = input_of(plan, tap);
+    const double reading = static_cast<double>(reading_at_rest(input)) +
+                           (command - command_at_rest(plan, motor)) / static_cast<double>(tap.weight);
+    return reading <= static_cast<double>(readings_of(input).high) ? std::optional(reading) : std::nullopt;
 }
 
 std::vector<Error> warnings(const Plan& plan) {
@@ -327,8 +347,10 @@ std::vector<Error> warnings(const Plan& plan) {
                                          : message_of("circuit_may_stand", name, text(most, l298), l298, tb6612)));
         } else if (const double least = turns_from(plan); rest >= 0.005 && rest < least) {
             const std::string turns = rounded_up(least);
-            found.push_back(error_of(
-                message_of("circuit_rest", name, text(rest, turns), takes_tb6612(plan) ? "TB6612" : "L298N", turns)));
+            const std::string command = text(rest, turns), driver = takes_tb6612(plan) ? "TB6612" : "L298N";
+            found.push_back(error_of(is_dark(plan)
+                                         ? message_of("circuit_rest", name, command, driver, turns)
+                                         : message_of("circuit_rest_in_room", name, command, driver, turns)));
         }
     }
     for (const Input& input : plan.inputs)
@@ -415,6 +437,7 @@ std::string readme(const Plan& plan) {
                    {"TB6612_TURNS", rounded_up(tb6612_turns_from)},
                    {"LEFT_TEST", test_volts(plan.units[plan.hidden()])},
                    {"RIGHT_TEST", test_volts(plan.units[plan.hidden() + 1])},
+                   {"ROOM", room_text(plan)},
                    {"WARNINGS", warned.empty() ? "" : warned + "\n"},
                    {"LOAD", fmt::format("{:.0f}", std::ceil(load))},
                    {"SUPPLY", std::string(load > block_milliamperes ? too_much_for_a_block : enough_of_a_block)},

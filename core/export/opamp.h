@@ -73,18 +73,20 @@ double e24_error(const Plan&);
 // each resistor of weight w brings up to 5 V·|w|/Rf into the buffer's resistor to ground.
 double largest_reading_of_dark(const Plan&);
 
-// The commands of a motor for the readings of its sensors without a calibration (SensorPart::readings).
+// The commands of a motor for the readings of its sensors without a calibration: SensorPart::readings, and what an eye
+// reads of the room.
 Range commands_of(const Plan&, const PlanUnit& motor);
 
-// The command of a motor while its sensors sense nothing (SensorPart::readings.low).
+// The command of a motor while its sensors sense nothing but the room without a lamp: Input::in_room, and
+// SensorPart::readings.low.
 double command_at_rest(const Plan&, const PlanUnit& motor);
 
-// The reading of a wire's sensor that gives this command to its motor while all others sense nothing; nullopt: none
-// does.
+// The reading of a wire's sensor that gives this command to its motor while all others sense nothing else; nullopt:
+// none does.
 std::optional<double> reading_for(const Plan&, const PlanUnit& motor, const PlanTap&, double command);
 
-// Wheels that no command turns for certain, with both drivers; wheels that stand while their sensors sense nothing,
-// where the lab's vehicle drives; sensors that read less where the lab's read more.
+// Wheels that no command turns for certain, with both drivers; wheels that stand in the room without a lamp, where the
+// lab's vehicle drives; sensors that read less where the lab's read more.
 std::vector<Error> warnings(const Plan&);
 
 // Largest current from 9 V with a TB6612 at 5 V; that of 5 V is a part of it. Without sensors that have a supply of

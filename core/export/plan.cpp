@@ -3,6 +3,7 @@
 #include <set>
 
 #include "core/export/text.h"
+#include "core/sensing/compiled_sensor.h"
 
 namespace braitenlab::robots {
 
@@ -70,6 +71,12 @@ float lab_range_of(const Sensor& sensor) {
     return is_table ? std::min(sensor.range, sensor.points.back().distance) : sensor.range;
 }
 
+float in_room(const Sensor& sensor, const BrainToExport& given) {
+    const sensing::CompiledSensor compiled(sensor);
+    if (!compiled.sees_ambient_light) return 0;
+    return std::clamp(sensing::total_reading(compiled, 0, given.ambient, given.lux), 0.0f, 1.0f);
+}
+
 // With what the vehicle's sensor of this name says of it.
 Input input_of(const BrainToExport& given, const std::string& name) {
     const bool is_share = given.length > 0 && given.width > 0;
@@ -81,7 +88,8 @@ Input input_of(const BrainToExport& given, const std::string& name) {
                     sensor.channel,
                     Place{sensor.x / length, sensor.y / width, sensor.angle, is_share},
                     sensor.response == SensorResponse::photocell ? sensor.half_lux : Sensor{}.half_lux,
-                    lab_range_of(sensor)};
+                    lab_range_of(sensor),
+                    in_room(sensor, given)};
     return {name, ""};
 }
 
@@ -214,7 +222,7 @@ Result<Plan> make_plan(const BrainToExport& given, float rate_hz) {
     const std::set<std::size_t> kept = effective_sources(draft);
     const Renumbered to = renumber(draft, kept);
 
-    Plan plan{given.title, rate_hz, {}, {}};
+    Plan plan{given.title, rate_hz, {}, {}, given.lux};
     for (std::size_t s = 0; s < draft.sensors(); ++s)
         if (to.inputs[s] >= 0) plan.inputs.push_back(input_of(given, sensors[s]->name));
     std::vector<NodeId> ids;

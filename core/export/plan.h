@@ -34,6 +34,7 @@ struct Input {
     std::optional<Place> place{};        // nullopt: a brain alone does not say
     float half_lux = Sensor{}.half_lux;  // of a photocell; the default for other sensors
     float range = 0;                     // m, to which it reads in the lab; 0: a brain alone does not say
+    float in_room = 0;                   // reading of an eye in the lab, of a room without a lamp
 };
 
 // Which value a wire reads: a sensor, a unit of this tick (`now`) or one of the previous tick (`before`).
@@ -67,6 +68,7 @@ struct Plan {
     float rate_hz = 60;
     std::vector<Input> inputs;
     std::vector<PlanUnit> units;  // hidden neurons, then the left motor, then the right one
+    float lux = 0;                // of the room
 
     std::size_t hidden() const { return units.size() - 2; }
     float period() const { return 1 / rate_hz; }
@@ -78,6 +80,7 @@ struct BrainToExport {
     BrainGraph brain;
     std::vector<Sensor> sensors{};
     float length = 0, width = 0;  // m, of the vehicle's body; 0: not known
+    float ambient = 0, lux = 0;   // of the scene's arena; a brain alone is in the dark
 };
 
 // Left out: wires of weight 0 that do not learn, neurons that reach no motor, sensors that reach no motor. A wire from

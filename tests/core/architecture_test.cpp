@@ -31,7 +31,7 @@ const std::map<std::string, std::vector<std::string>> may_include{
     {"core/insight", {"core/maths", "core/brain", "core/scene", "core/sensing", "core/world", "core/io", "core"}},
     {"core/lesson", {"core/maths", "core/brain", "core/scene", "core/sensing", "core/world", "core/io", "core"}},
     {"core/evolve", {"core/maths", "core/brain", "core/scene", "core/world", "core/io", "core/insight", "core"}},
-    {"core/export", {"core/maths", "core/brain", "core/scene", "core/io", "core"}},
+    {"core/export", {"core/maths", "core/brain", "core/scene", "core/sensing", "core/io", "core"}},
     {"core", {}},
     {"render/view", {"core"}},
     {"render/text", {"core", "render/view"}},

@@ -14,6 +14,7 @@
 #include "core/export/e24.h"
 #include "core/export/sensor_parts.h"
 #include "core/maths/random.h"
+#include "core/world/world.h"
 #include "tests/robots/exported.h"
 
 namespace braitenlab::tests::opamp_test {
@@ -218,9 +219,40 @@ TEST(Opamp, WarnsOfAWheelThatStandsWhileItsSensorsSenseNothing) {
     EXPECT_NE(readme.find("| left (ML) | 0.20 to 0.92 | may never turn | turns | 0.20: stands | SR 0.62 (516 lx) |"),
               std::string::npos)
         << readme;
-    EXPECT_NE(readme.find("**Warning: while its sensors sense nothing, the command of 'ML' is 0.20"),
+    EXPECT_NE(readme.find("**Warning: while its sensors sense nothing, in total darkness, the command of 'ML' is 0.20"),
               std::string::npos);
     EXPECT_NE(readme.find("`left` gives 1.0 V, `right` 0.8 V"), std::string::npos);
+}
+
+// Eyes read the room without a lamp: the reading that a run of the scene without its lamps has.
+TEST(Opamp, JudgesAWheelAtRestInTheLightOfTheScenesRoom) {
+    for (const char* name : {"tt2wd-ldr", "romi"})
+        for (const float half_lux : {268.0f, 60.0f}) {
+            Scene scene = *load_scene(fmt::format("{}/exercises/robots/{}.toml", BRAITENLAB_SOURCE, name));
+            scene.sources.clear();
+            if (half_lux < 100) scene.arena.lux = 30;
+            Kind& kind = scene.kinds[0];
+            kind.brain = make_graph({.LL = 0.8f, .RR = 0.8f, .LM = 0.2f, .RM = 0.7f});
+            for (Sensor& sensor : kind.sensors)
+                sensor.half_lux = half_lux, sensor.gain_spread = sensor.noise = sensor.latency = 0;
+            auto world = World::create(scene, 1);
+            ASSERT_TRUE(world);
+            world->step();
+            const BrainToExport brain{"", kind.brain,     kind.sensors, kind.body.length, kind.body.width,
+                                      0,  scene.arena.lux};
+            const auto plan = robots::make_plan(brain, 60);
+            ASSERT_EQ(plan->inputs.size(), 2u);
+            const float in_room = plan->inputs[0].in_room;
+            EXPECT_NEAR(in_room, snapshot_of(*world).sensed[0], 0.001) << name;
+            EXPECT_NEAR(in_room, half_lux < 100 ? 0.38 : 0.09, 0.005) << name;
+            const std::string readme = text_of(*exported(brain), "README.md");
+            for (const std::string& text :
+                 {fmt::format("| Command in the scene's room of {:g} lx, while they sense nothing else |",
+                              scene.arena.lux),
+                  fmt::format("| may never turn | turns | {:.2f}: ", 0.2f + 0.8f * in_room),
+                  fmt::format("light of the scene's room, the command of 'ML' is {:.2f}", 0.2f + 0.8f * in_room)})
+                EXPECT_NE(readme.find(text), std::string::npos) << text << readme;
+        }
 }
 
 // A weight ends at 2: the effect of the lab's 1.2 would take 3.2.

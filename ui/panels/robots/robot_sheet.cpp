@@ -177,8 +177,13 @@ robots::BrainToExport brain_to_export(const LabView& view, const VehicleView& ve
     const BrainGraph& brain = *brain_of(*view.now, vehicle);
     const std::string changed = is_in_file(view, brain) ? "" : ", changed";
     const std::string& file = name_of_file(view);
-    return {(file.empty() ? view.now->scene->title : file) + ", " + kind.name + changed, brain, kind.sensors,
-            kind.body.length, kind.body.width};
+    return {(file.empty() ? view.now->scene->title : file) + ", " + kind.name + changed,
+            brain,
+            kind.sensors,
+            kind.body.length,
+            kind.body.width,
+            view.now->scene->arena.ambient,
+            view.now->scene->arena.lux};
 }
 
 std::string suggested_folder(const LabView& view, const robots::Robot& robot) {
