@@ -126,6 +126,8 @@ std::string_view verdict_on(const Range& commands, double turns_from) {
     return static_cast<double>(commands.high) < turns_from ? "may never turn" : "turns";
 }
 
+constexpr std::string_view either_text =
+    " Between them it may do either; the table below says \"may\" where that matters.";
 constexpr std::string_view either_driver = "Both drivers turn each wheel; the list of parts has a TB6612.";
 constexpr std::string_view only_l298n =
     "A TB6612 does not turn each wheel for certain. The list of parts has an L298N, which needs lower commands.";
@@ -233,6 +235,12 @@ std::string rest_text(const Plan& plan, const PlanUnit& motor) {
                                      : command < turns_from(plan) ? "may stand"
                                                                   : "turns";
     return fmt::format("{:.2f}: {}", command, verdict);
+}
+
+// Where a driver has this limit: nominally, for a meter, and whatever the parts are within their tolerances.
+std::string limit_row(std::string_view name, double volts, const std::string& certain) {
+    return fmt::format("| {} | {:.1f} V | {:.1f} V | {:.2f} | {} |\n", name, volts, volts / share_of_driver,
+                       volts / share_of_driver / 5, certain);
 }
 
 // The volts of a summer's output while all sensors have 0 V.
@@ -348,9 +356,8 @@ std::vector<Error> warnings(const Plan& plan) {
         } else if (const double least = turns_from(plan); rest >= 0.005 && rest < least) {
             const std::string turns = rounded_up(least);
             const std::string command = text(rest, turns), driver = takes_tb6612(plan) ? "TB6612" : "L298N";
-            found.push_back(error_of(is_dark(plan)
-                                         ? message_of("circuit_rest", name, command, driver, turns)
-                                         : message_of("circuit_rest_in_room", name, command, driver, turns)));
+            found.push_back(error_of(is_dark(plan) ? message_of("circuit_rest", name, command, driver, turns)
+                                                   : message_of("circuit_rest_in_room", name, command, driver, turns)));
         }
     }
     for (const Input& input : plan.inputs)
@@ -421,29 +428,31 @@ std::string readme(const Plan& plan) {
         "| `wiring.svg` | the schematic of the board with the E24 values, to be printed on A4 |\n";
     for (std::size_t sheet = 2; sheet <= count; ++sheet)
         sheets += fmt::format("| `wiring-{}.svg` | its sheet {} |\n", sheet, sheet);
-    return filled(texts::opamp_readme_md,
-                  {{"TITLE", comment_text(plan.title)},
-                   {"CHIPS", std::to_string(circuit.chips())},
-                   {"SHEETS", sheets},
-                   {"PLACES", places_text(plan, Board::circuit)},
-                   {"SENSORS", sensors},
-                   {"SCALES", scale_text(plan)},
-                   {"OWN_SUPPLY", own_supply_text(parts, "circuit")},
-                   {"WHEELS", wheels},
-                   {"DRIVER", std::string(driver_text(plan))},
-                   {"LISTED", takes_tb6612(plan) ? "TB6612" : "L298N"},
-                   {"STANDS", rounded_down(stands_below)},
-                   {"L298_TURNS", rounded_up(l298_turns_from)},
-                   {"TB6612_TURNS", rounded_up(tb6612_turns_from)},
-                   {"LEFT_TEST", test_volts(plan.units[plan.hidden()])},
-                   {"RIGHT_TEST", test_volts(plan.units[plan.hidden() + 1])},
-                   {"ROOM", room_text(plan)},
-                   {"WARNINGS", warned.empty() ? "" : warned + "\n"},
-                   {"LOAD", fmt::format("{:.0f}", std::ceil(load))},
-                   {"SUPPLY", std::string(load > block_milliamperes ? too_much_for_a_block : enough_of_a_block)},
-                   {"ROWS", rows},
-                   {"ERROR", fmt::format("{:.1f}", 100 * e24_error(plan))},
-                   {"RAISED", fmt::format("{:.3f}", largest_reading_of_dark(plan))}});
+    return filled(
+        texts::opamp_readme_md,
+        {{"TITLE", comment_text(plan.title)},
+         {"CHIPS", std::to_string(circuit.chips())},
+         {"SHEETS", sheets},
+         {"PLACES", places_text(plan, Board::circuit)},
+         {"SENSORS", sensors},
+         {"SCALES", scale_text(plan)},
+         {"OWN_SUPPLY", own_supply_text(parts, "circuit")},
+         {"WHEELS", wheels},
+         {"DRIVER", std::string(driver_text(plan))},
+         {"LISTED", takes_tb6612(plan) ? "TB6612" : "L298N"},
+         {"LIMITS", limit_row("below which a wheel stands", low_volts, rounded_down(stands_below)) +
+                        limit_row("from which an L298 turns it", l298_high_volts, rounded_up(l298_turns_from)) +
+                        limit_row("from which a TB6612 turns it", tb6612_high_volts, rounded_up(tb6612_turns_from))},
+         {"EITHER", wheels.find(" may ") == std::string::npos ? "" : std::string(either_text)},
+         {"LEFT_TEST", test_volts(plan.units[plan.hidden()])},
+         {"RIGHT_TEST", test_volts(plan.units[plan.hidden() + 1])},
+         {"ROOM", room_text(plan)},
+         {"WARNINGS", warned.empty() ? "" : warned + "\n"},
+         {"LOAD", fmt::format("{:.0f}", std::ceil(load))},
+         {"SUPPLY", std::string(load > block_milliamperes ? too_much_for_a_block : enough_of_a_block)},
+         {"ROWS", rows},
+         {"ERROR", fmt::format("{:.1f}", 100 * e24_error(plan))},
+         {"RAISED", fmt::format("{:.3f}", largest_reading_of_dark(plan))}});
 }
 
 std::string parts_csv(const Plan& plan) {
@@ -461,7 +470,7 @@ std::string parts_csv(const Plan& plan) {
     for (std::size_t chip = 0; chip < circuit.chips(); ++chip)
         text += fmt::format("1,operational amplifier,LM324,9 V,ground,{}\n", chip_name(chip));
     text += fmt::format("{},socket DIP-14,for each LM324,,,\n", circuit.chips());
-    text += fmt::format("1,regulator,{},9 V,5 V,{}\n", regulator_value, regulator_name);
+    text += fmt::format("1,regulator,{},9 V,5 V,{}\n", regulator_value, regulator_name(circuit));
     const double load = milliamperes_at_9_volts(plan);
     if (load > block_milliamperes) text += "1,heat sink,for a TO-220 case,,,for the regulator\n";
     for (const Connector& connector : circuit.connectors)

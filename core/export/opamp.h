@@ -136,7 +136,8 @@ Circuit circuit_of(const Plan&);
 std::string chip_name(std::size_t chip);
 std::string sensor_connector(std::size_t input);  // "J3"
 inline constexpr int lm324_supply_pin = 4, lm324_ground_pin = 11;
-inline constexpr std::string_view regulator_name = "U99", regulator_value = "L7805";
+std::string regulator_name(const Circuit&);  // after the LM324s: "U2"
+inline constexpr std::string_view regulator_value = "L7805";
 inline constexpr int regulator_in_pin = 1, regulator_ground_pin = 2, regulator_out_pin = 3;
 
 std::string buffered(const Input&);                 // node of the sensor's buffer: "buffered_SL"

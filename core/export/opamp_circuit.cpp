@@ -41,6 +41,8 @@ std::string Amplifier::name() const { return chip_name(chip) + letter; }
 
 std::string chip_name(std::size_t chip) { return fmt::format("U{}", chip + 1); }
 
+std::string regulator_name(const Circuit& circuit) { return chip_name(circuit.chips()); }
+
 std::string sensor_connector(std::size_t input) { return fmt::format("J{}", input + 3); }
 
 Circuit circuit_of(const Plan& plan) {

@@ -104,7 +104,7 @@ std::string kicad_netlist(const Plan& plan) {
         board.two_pole(capacitor, "Capacitor_THT:C_Disc_D5.0mm_W2.5mm_P5.00mm", capacitor.from, capacitor.to);
     for (const TwoPole& diode : circuit.diodes)  // pin 1 is the cathode
         board.two_pole(diode, "Diode_THT:D_DO-35_SOD27_P7.62mm_Horizontal", diode.to, diode.from);
-    const std::string regulator(regulator_name);
+    const std::string regulator = regulator_name(circuit);
     board.part(regulator, regulator_value, "Package_TO_SOT_THT:TO-220-3_Vertical");
     board.join("+9V", regulator, regulator_in_pin);
     board.join("GND", regulator, regulator_ground_pin);

@@ -287,7 +287,7 @@ void draw_regulator(Sheet& sheet, int y, const Circuit& circuit) {
     sheet.dot(186, y);
     sheet.supply(186, y, "9 V");
     sheet.box(box, y - 20, box_width, 40);
-    sheet.text(box + box_width / 2, y - 3, "middle", std::string(regulator_name));
+    sheet.text(box + box_width / 2, y - 3, "middle", regulator_name(circuit));
     sheet.text(box + box_width / 2, y + 10, "middle", std::string(regulator_value));
     sheet.text(box - 4, y - 4, "end", std::to_string(regulator_in_pin));
     sheet.text(box + box_width + 4, y - 4, "start", std::to_string(regulator_out_pin));

@@ -120,11 +120,14 @@ std::multiset<std::string> kicad_pins(const std::string& netlist) {
     std::multiset<std::string> all;
     std::istringstream lines(netlist);
     const std::regex net(R"re(\(net .*\(name "([^"]+)"\))re"), pin(R"re(\(node \(ref "(U\d+)"\) \(pin "(\d+)"\)\))re");
-    std::string present;
+    const std::regex regulator(R"re(\(ref "(U\d+)"\) \(value "L7805"\))re");
+    std::string present, without;
     std::smatch found;
     for (std::string line; std::getline(lines, line);) {
+        if (std::regex_search(line, found, regulator)) without = found[1];
         if (std::regex_search(line, found, net)) present = found[1];
-        if (!std::regex_search(line, found, pin) || found[1] == "U99" || found[2] == "4" || found[2] == "11") continue;
+        if (!std::regex_search(line, found, pin) || found[1] == without || found[2] == "4" || found[2] == "11")
+            continue;
         // The net of an unused output has no name in the picture.
         const std::string node = present == "GND" ? "0" : present.starts_with("unused_") ? "" : present;
         all.insert(std::string(found[1]) + " " + std::string(found[2]) + " " + node);
@@ -318,7 +321,8 @@ TEST(OpampSheets, HaveTheCapacitorsAndDiodesOfTheListOfPartsAndOfTheBoard) {
 
 TEST(OpampSheets, NameTheRegulatorAsTheListOfParts) {
     each_circuit([](const Circuit& circuit) {
-        const std::string name(opamp::regulator_name), value(opamp::regulator_value);
+        const opamp::Circuit parts = opamp::circuit_of(*robots::make_plan(circuit.brain, 60));
+        const std::string name = fmt::format("U{}", parts.chips() + 1), value(opamp::regulator_value);
         std::set<std::string> words;
         for (const auto& sheet : circuit.sheets)
             for (const Words& w : sheet->picture.words) words.insert(w.text);

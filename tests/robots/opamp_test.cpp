@@ -181,8 +181,13 @@ TEST(Opamp, SaysForEachWheelWhatTheDriversDo) {
         EXPECT_NE(text_of(*made, "parts.csv").find(driver), std::string::npos) << weight;
         EXPECT_EQ(text_of(*made, "README.md").find("Neither driver"), std::string::npos) << weight;
     }
-    for (const char* number : {"a command of 0.37 (1.5 V)", "from 1.00 on", "or 0.70 (2.3 V, L298)"})
-        EXPECT_NE(readme.find(number), std::string::npos) << number;
+    // Nominal values convert by the divider, 0.72, and 5 V for the command 1.
+    for (const char* row : {"stands | 1.5 V | 2.1 V | 0.42 | 0.37 |", "L298 turns it | 2.3 V | 3.2 V | 0.64 | 0.70 |",
+                            "TB6612 turns it | 3.5 V | 4.9 V | 0.97 | 1.00 |"})
+        EXPECT_NE(readme.find(row), std::string::npos) << row << readme;
+    const auto strong = exported({"", make_graph({.LL = 2, .RR = 2, .LM = 0.1f}), {}});
+    for (const auto& [made, may] : {std::pair{&files, true}, std::pair{&strong, false}})
+        EXPECT_EQ(text_of(**made, "README.md").find("it may do either") != std::string::npos, may);
 }
 
 // At its limits an L7805 gives 4.8 V and 5.2 V, and the resistors of a divider are off by 1 %.
