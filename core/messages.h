@@ -376,11 +376,10 @@ inline constexpr auto message_table = std::to_array<MessageText>({
      "the wire from {} to {} has the curve {}, which this circuit cannot hold; take a linear one"},
     {"circuit_stands",
      "the wheel of {} never turns: its command is {} at most, and an L298 turns it from {} on, a TB6612 from {} on; "
-     "raise "
-     "its bias or its weights, or take a driver with an analog input"},
+     "the L298 takes a bias of {} or larger weights, else take a driver with an analog input"},
     {"circuit_may_stand",
      "the wheel of {} may never turn: its command is {} at most, and an L298 turns it for certain from {} on, a TB6612 "
-     "from {} on; raise its bias or its weights, or take a driver with an analog input"},
+     "from {} on; the L298 takes a bias of {} or larger weights, else take a driver with an analog input"},
     {"circuit_rest",
      "while its sensors sense nothing, in total darkness, the command of {} is {}, with which the lab's vehicle "
      "drives, "

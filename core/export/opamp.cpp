@@ -228,6 +228,44 @@ std::string reading_text(const Plan& plan, const PlanUnit& motor) {
     return static_cast<double>(commands_of(plan, motor).high) < command ? "no reading" : "several sensors together";
 }
 
+// The changes of the bias or of one weight, each alone, that raise a command to this one. `reading` is what a sensor
+// reads then.
+template <class Reading>
+std::string changes_to(const Plan& plan, const PlanUnit& motor, double now, double wanted, Reading reading) {
+    if (now >= wanted) return "as it is";
+    std::vector<std::string> changes;
+    const auto add = [&](const std::string& what, float value, double share, float most) {
+        const double changed = std::ceil(100 * (static_cast<double>(value) + (wanted - now) / share)) / 100;
+        if (changed > static_cast<double>(most)) return;
+        changes.push_back(fmt::format("{} {:.2f} (now {:.2f})", what, changed, value));
+    };
+    add("bias", motor.bias, 1, limits::bias);
+    for (const PlanTap& tap : motor.taps)
+        if (const double share = static_cast<double>(reading(input_of(plan, tap))); tap.weight > 0 && share > 0)
+            add("weight of " + table_cell(input_of(plan, tap).name), tap.weight, share, limits::weight);
+    return changes.empty() ? "no bias or weight alone" : fmt::format("{}", fmt::join(changes, " or "));
+}
+
+// The smallest change of each wheel that its driver does not turn yet; empty if there is none.
+std::string changes_text(const Plan& plan) {
+    const double wanted = turns_from(plan);
+    std::string rows;
+    for (const auto& [side, motor] : motors_of(plan)) {
+        const double rest = command_at_rest(plan, *motor), most = static_cast<double>(commands_of(plan, *motor).high);
+        if (std::min(rest, most) >= wanted) continue;
+        rows += fmt::format("| {} ({}) | {} | {} |\n", side, table_cell(motor->name),
+                            changes_to(plan, *motor, rest, wanted, reading_at_rest),
+                            changes_to(plan, *motor, most, wanted, [](const Input& i) { return readings_of(i).high; }));
+    }
+    if (rows.empty()) return rows;
+    return fmt::format(
+               "\nThe smallest change with which the {} turns a wheel for certain, set in the lab before the export; "
+               "with the best readings\nthose sensors that add read most, and those that subtract least:\n\n"
+               "| Wheel | In {}, while they sense nothing else | With the best readings |\n|---|---|---|\n",
+               takes_tb6612(plan) ? "TB6612" : "L298N", room_text(plan)) +
+           rows;
+}
+
 // The command that tells in a table that a wheel stands at rest.
 std::string rest_text(const Plan& plan, const PlanUnit& motor) {
     const double command = command_at_rest(plan, motor);
@@ -350,9 +388,10 @@ std::vector<Error> warnings(const Plan& plan) {
         const std::string name = in_quotes(motor->name);
         if (most < l298_turns_from) {
             const std::string l298 = rounded_up(l298_turns_from), tb6612 = rounded_up(tb6612_turns_from);
-            found.push_back(error_of(most <= stands_below
-                                         ? message_of("circuit_stands", name, text(most, l298), l298, tb6612)
-                                         : message_of("circuit_may_stand", name, text(most, l298), l298, tb6612)));
+            const std::string bias = rounded_up(static_cast<double>(motor->bias) + l298_turns_from - most);
+            found.push_back(error_of(
+                most <= stands_below ? message_of("circuit_stands", name, text(most, l298), l298, tb6612, bias)
+                                     : message_of("circuit_may_stand", name, text(most, l298), l298, tb6612, bias)));
         } else if (const double least = turns_from(plan); rest >= 0.005 && rest < least) {
             const std::string turns = rounded_up(least);
             const std::string command = text(rest, turns), driver = takes_tb6612(plan) ? "TB6612" : "L298N";
@@ -447,6 +486,7 @@ std::string readme(const Plan& plan) {
          {"LEFT_TEST", test_volts(plan.units[plan.hidden()])},
          {"RIGHT_TEST", test_volts(plan.units[plan.hidden() + 1])},
          {"ROOM", room_text(plan)},
+         {"CHANGES", changes_text(plan)},
          {"WARNINGS", warned.empty() ? "" : warned + "\n"},
          {"LOAD", fmt::format("{:.0f}", std::ceil(load))},
          {"SUPPLY", std::string(load > block_milliamperes ? too_much_for_a_block : enough_of_a_block)},
