@@ -222,14 +222,14 @@ struct Writer {
             "# The brain \"{}\" for a Thymio II, exported from Braitenlab.\n"
             "# {} stands for 1.0. No number of this program can leave -32767 to 32767.\n"
             "# A Thymio sees obstacles, not lamps: an obstacle in front takes the place of the lamp.\n"
-            "# Motors: 500 is the command 1. Forward button: start. Centre button: stop.\n\n",
+            "# Motors: 500 is the command 1. It waits for the forward button. Centre button: stop.\n\n",
             comment_text(plan.title), one);
         for (const Input& input : plan.inputs) text += fmt::format("var {}\n", input.id);
         for (const PlanUnit& unit : plan.units) {
             text += fmt::format("var new_{}\n", unit.id);
             if (unit.is_kept) text += fmt::format("var {} = 0\n", unit.id);
         }
-        text += "var raw\nvar part\nvar sum\nvar running = 1\n";
+        text += "var raw\nvar part\nvar sum\nvar running = 0\n";
         if (!tables.empty()) text += "var distance\nvar place\nvar rest\n";
         for (std::size_t i = 0; i < tables.size(); ++i) text += table(i);
         return text + "\n# Ten times per second\nonevent prox\nif running == 0 then return end\n" + body +

@@ -141,6 +141,7 @@ TEST(ClosedLoop, TheThymioProgramInAsebaTouchesTheLamp) {
         thymio = std::make_shared<Conversation>(
             "cd '" + machine.folder.path.string() + "' && LOCPATH=$PWD/locale exec ./aseba_run program", 1);
         thymio->answer();  // the number of words
+        thymio->say("forward");
         return [&](float left, float right) {
             std::string line = raw_line(*plan, {left, right});
             line.pop_back();

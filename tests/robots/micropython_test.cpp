@@ -160,7 +160,7 @@ class Sensor:
     def __init__(self, i): pass
     def value(self): return 300
 class Buttons:
-    def get_status(self): return [0] * 5
+    def get_status(self): return [0, 0, 0, 1, 0]
 def think(*sensors):
     steps.append(clock[0])
     if len(steps) > 1000: raise Done

@@ -50,9 +50,10 @@ TEST(Thymio3, SaysInItsReadmeHowToCalibrateTheSensorsOfItsProgramOnly) {
     }
 }
 
-// 7 proximity sensors, 2 ground sensors, 5 buttons.
-std::string line_of(const robots::Plan& plan, const std::vector<float>& sensed) {
+// 7 proximity sensors, 2 ground sensors, 5 buttons, of which the forward button may be pressed.
+std::string line_of(const robots::Plan& plan, const std::vector<float>& sensed, bool starts) {
     long values[14] = {};
+    values[12] = starts;
     for (std::size_t i = 0; i < sensed.size(); ++i) {
         const char side = plan.inputs[i].name.back();
         if (plan.inputs[i].channel == Channel::floor)
@@ -87,7 +88,7 @@ void compare(const BrainToExport& brain, int ticks, bool here) {
     const auto files = exported(brain);
     ASSERT_TRUE(files) << brain.title;
     std::string lines;
-    for (const auto& row : vectors->ticks) lines += line_of(*plan, row.sensed);
+    for (const auto& row : vectors->ticks) lines += line_of(*plan, row.sensed, lines.empty());
     const auto found = speeds(folder, files->front().text, lines, here);
     ASSERT_EQ(found.size(), vectors->ticks.size() + 1) << brain.title;
     long worst = 0;
@@ -141,7 +142,7 @@ TEST(Thymio3, ReadsTheNearerOfTwoSensorsAndTheGround) {
     const Folder folder;
     const auto front = exported({"", make_graph({.LL = 1, .RR = 1}), {}});
     const std::string lines =
-        "0 3500 0 0 0 0 0 0 0 0 0 0 0 0\n"
+        "0 3500 0 0 0 0 0 0 0 0 0 0 1 0\n"
         "700 350 3500 700 1400 3500 3500 1024 1024 0 0 0 0 0\n"
         "4500 0 0 -5 0 0 0 0 0 0 0 0 0 0\n";
     using Speeds = std::vector<std::pair<int, int>>;
@@ -149,19 +150,19 @@ TEST(Thymio3, ReadsTheNearerOfTwoSensorsAndTheGround) {
     const std::vector<Sensor> floors{{.name = "SL", .channel = Channel::floor},
                                      {.name = "SR", .channel = Channel::floor}};
     const auto ground = exported({"", make_graph({.LL = 1, .RR = 1}), floors});
-    EXPECT_EQ(speeds(folder, ground->front().text, "3500 0 0 0 3500 0 0 1024 512 0 0 0 0 0\n", true),
+    EXPECT_EQ(speeds(folder, ground->front().text, "3500 0 0 0 3500 0 0 1024 512 0 0 0 1 0\n", true),
               (Speeds{{500, 250}, {0, 0}}));
 }
 
-TEST(Thymio3, StopsWithTheCentreButtonAndGoesOnWithTheForwardButton) {
+TEST(Thymio3, StandsUntilTheForwardButtonAndAfterTheCentreButton) {
     const Folder folder;
     const auto files = exported({"", make_graph({.LM = 1, .RM = 0.5f}), {}});
     const std::string sensors = "0 0 0 0 0 0 0 0 0 ";
     std::string lines;
-    for (const char* buttons : {"0 0 0 0 0", "0 0 1 0 0", "0 0 0 0 0", "1 1 0 0 1", "0 0 0 1 0", "0 0 0 0 0"})
+    for (const char* buttons : {"1 1 0 0 1", "0 0 0 1 0", "0 0 1 0 0", "0 0 0 0 0", "0 0 0 1 0", "0 0 0 0 0"})
         lines += sensors + buttons + "\n";
     EXPECT_EQ(speeds(folder, files->front().text, lines, true),
-              (std::vector<std::pair<int, int>>{{500, 250}, {0, 0}, {0, 0}, {0, 0}, {500, 250}, {500, 250}, {0, 0}}));
+              (std::vector<std::pair<int, int>>{{0, 0}, {500, 250}, {0, 0}, {0, 0}, {500, 250}, {500, 250}, {0, 0}}));
 }
 
 TEST(Thymio3InMicropython, GivesTheSpeedsOfEveryShippedBrainThatItHolds) {

@@ -95,7 +95,7 @@ Compared compare(VirtualMachine& machine, const BrainToExport& brain, int ticks)
     const auto plan = robots::make_plan(brain, 10);
     const auto vectors = robots::golden_vectors(brain, 10, ticks);
     const auto files = exported(brain);
-    std::string lines;
+    std::string lines = "forward\n";
     for (const auto& row : vectors->ticks) lines += raw_line(*plan, row.sensed);
     const Ran ran = machine.run(files->front().text, lines);
     EXPECT_EQ(ran.code, 0) << brain.title << " " << ran.out.substr(0, 500);
@@ -121,6 +121,17 @@ TEST(ThymioInAseba, GivesTheTargetsOfEveryShippedBrainThatItHolds) {
         EXPECT_LE(found.worst, 1) << brain.title;
         std::printf("%-28s %4d words, worst %ld of 500\n", brain.title.c_str(), found.words, found.worst);
     });
+}
+
+TEST(ThymioInAseba, StandsUntilTheForwardButtonAndAfterTheCentreButton) {
+    if (!has_tool("aseba")) GTEST_SKIP() << "./dev robots installs Aseba";
+    VirtualMachine machine;
+    const auto files = exported({"", make_graph({.LM = 1, .RM = 0.5f}), {}});
+    ASSERT_TRUE(files);
+    const std::string values = "0 0 0 0 0 0 0 0 0\n";
+    const Ran ran = machine.run(files->front().text,
+                                values + values + "forward\n" + values + "centre\n" + values + "forward\n" + values);
+    EXPECT_EQ(ran.out.substr(ran.out.find('\n') + 1), "0 0\n0 0\n500 250\n0 0\n500 250\n");
 }
 
 TEST(ThymioInAseba, HoldsEveryCurveThresholdAndMemory) {

@@ -2,8 +2,9 @@
 //
 //     aseba_run PROGRAM < lines
 //
-// Each line: the seven horizontal proximity values and the two of the ground. After each the event `prox` runs.
-// Prints the number of words of the program, then per line the targets of both motors.
+// Each line: the seven horizontal proximity values and the two of the ground, after which the event `prox` runs; or
+// "forward" or "centre", which presses that button. Prints the number of words of the program, then per line of values
+// the targets of both motors.
 #include <clocale>
 #include <cstdio>
 #include <cstdlib>
@@ -126,6 +127,10 @@ int main(int argc, char** argv) {
     const auto at = [&](const wchar_t* name) { return &variables[map.at(name).first]; };
     std::string line;
     while (!failed && std::getline(std::cin, line)) {
+        if (line == "forward" || line == "centre") {
+            run(ASEBA_EVENT_LOCAL_EVENTS_START - (line == "forward" ? 3 : 2));
+            continue;
+        }
         std::istringstream values(line);
         for (int i = 0; i < 7; ++i) values >> at(L"prox.horizontal")[i];
         for (int i = 0; i < 2; ++i) values >> at(L"prox.ground.reflected")[i];
