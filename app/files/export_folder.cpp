@@ -67,9 +67,10 @@ EarlierExport export_in(const fs::path& folder) {
 // True for a file of an earlier export: it has a name that exports give, and a text names the lab, so that a file of
 // the user with such a name stays. Lists of parts, nets and drawings have no such mark.
 bool is_of_earlier_export(const fs::path& folder, const std::string& name) {
-    constexpr std::array<std::string_view, 9> marked{"README.md",           "brain.h",   "braitenberg/braitenberg.ino",
-                                                     "braitenberg/brain.h", "brain.cir", "brain-exact.cir",
-                                                     "brain.aesl",          "brain.py",  "main.py"};
+    constexpr std::array<std::string_view, 10> marked{"README.md",           "brain.h",   "braitenberg/braitenberg.ino",
+                                                      "braitenberg/brain.h", "brain.cir", "brain-exact.cir",
+                                                      "brain.aesl",          "brain.py",  "main.py",
+                                                      "calibrate.py"};
     if (std::find(marked.begin(), marked.end(), name) != marked.end()) return is_exported(folder / name);
     return name == "parts.csv" || name == "brain.net" || name == "robot.svg" || name == "wiring.svg" ||
            (name.starts_with("wiring-") && name.ends_with(".svg"));

@@ -67,11 +67,10 @@ Result<std::vector<ExportedFile>> micropython_files(const Plan& plan, const Robo
         return std::vector<ExportedFile>{{"brain.py", thymio3::program(plan)}, {"README.md", thymio3::readme(plan)}};
     }
     if (const auto refusal = micropython::refusal(plan)) return *refusal;
-    return std::vector<ExportedFile>{{"brain.py", micropython::brain_py(plan)},
-                                     {"main.py", micropython::main_py(plan)},
-                                     {"README.md", micropython::readme(plan)},
-                                     {"parts.csv", micropython::parts_csv(plan)},
-                                     {"wiring.svg", micropython::wiring_svg(plan)}};
+    return std::vector<ExportedFile>{
+        {"brain.py", micropython::brain_py(plan)},         {"main.py", micropython::main_py(plan)},
+        {"calibrate.py", micropython::calibrate_py(plan)}, {"README.md", micropython::readme(plan)},
+        {"parts.csv", micropython::parts_csv(plan)},       {"wiring.svg", micropython::wiring_svg(plan)}};
 }
 
 std::vector<ExportedFile> opamp_files(const Plan& plan) {

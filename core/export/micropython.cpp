@@ -90,6 +90,12 @@ std::string learning(const Plan& plan) {
     return text;
 }
 
+std::string eyes_of(const Plan& plan) {
+    std::string eyes;
+    for (std::size_t i = 0; i < plan.inputs.size(); ++i) eyes += fmt::format("{}pin{}", i > 0 ? ", " : "", i);
+    return eyes;
+}
+
 }  // namespace
 
 std::optional<Error> refusal(const Plan& plan) {
@@ -154,18 +160,19 @@ std::string brain_py(const Plan& plan) {
 }
 
 std::string main_py(const Plan& plan) {
-    std::string dark, bright, eyes, arguments;
-    for (std::size_t i = 0; i < plan.inputs.size(); ++i) {
-        const std::string comma = i > 0 ? ", " : "";
-        dark += comma + "100", bright += comma + "900";
-        eyes += fmt::format("{}pin{}", comma, i), arguments += fmt::format("{}eye({})", comma, i);
-    }
+    std::string arguments;
+    for (std::size_t i = 0; i < plan.inputs.size(); ++i) arguments += fmt::format("{}eye({})", i > 0 ? ", " : "", i);
     return filled(texts::main_py, {{"TITLE", comment_text(plan.title)},
-                                   {"DARK", dark},
-                                   {"BRIGHT", bright},
-                                   {"EYES", eyes},
+                                   {"MARK", std::to_string(arduino::calibration_mark(plan))},
+                                   {"EYES", eyes_of(plan)},
                                    {"ARGUMENTS", arguments},
                                    {"SMALLEST", number(arduino::smallest_command)}});
+}
+
+std::string calibrate_py(const Plan& plan) {
+    return filled(texts::calibrate_py, {{"TITLE", comment_text(plan.title)},
+                                        {"MARK", std::to_string(arduino::calibration_mark(plan))},
+                                        {"EYES", eyes_of(plan)}});
 }
 
 std::string readme(const Plan& plan) {

@@ -34,8 +34,9 @@ std::string think_py(const Plan&);
 // brain.py: the function think(), also valid in CPython 3. Needs the module math only, for sigmoids and humps.
 std::string brain_py(const Plan&);
 
-// main.py: pins, calibration values and the loop.
+// main.py: pins and the loop. calibrate.py, which it imports at the first start: the calibration by the buttons.
 std::string main_py(const Plan&);
+std::string calibrate_py(const Plan&);
 
 std::string readme(const Plan&);
 std::string parts_csv(const Plan&);

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "core/brain/four_neurons.h"
+#include "core/export/arduino.h"
 #include "core/export/sensor_parts.h"
 #include "tests/robots/exported.h"
 
@@ -148,6 +149,7 @@ class Pin:
     def set_analog_period(self, ms): periods.append(ms)
 class Button:
     def was_pressed(self): return False
+    def is_pressed(self): return False
 class Display:
     def show(self, image): pass
 class Image: HAPPY = "happy"
@@ -196,6 +198,9 @@ TEST(Micropython, KeepsItsRateForWeeksThoughSleepTakesLongerAndSetsThePeriodOfIt
         ASSERT_TRUE(files);
         const bool pins = std::string_view(robot) == "microbit";
         put_text(folder / "program.py", file_of(*files, pins ? "main.py" : "brain.py"));
+        const auto plan = robots::make_plan({"", find_preset("2a-coward")->brain, {}}, 50);
+        put_text(folder / "calibration.txt",
+                 fmt::format("{} 0 0 1000 1000 180 180 1023 1023", robots::arduino::calibration_mark(*plan)));
         const Ran ran = shell(fmt::format("cd '{}' && python3 clock.py program.py", folder.path.string()));
         ASSERT_EQ(ran.code, 0) << ran.out;
         std::istringstream numbers(ran.out);
@@ -208,19 +213,27 @@ TEST(Micropython, KeepsItsRateForWeeksThoughSleepTakesLongerAndSetsThePeriodOfIt
     }
 }
 
-// Runs main.py with these buttons, one state of both in each step: was A pressed, was B pressed, is B pressed. Prints
-// what the display scrolls, the largest PWM of each wheel, and whether both turned at once.
+// Runs main.py on a board of stand-ins. The words after it say what happens at each moment at which the program looks
+// at a button: a, b, both or none of them is pressed, and a number is what all eyes read from then on. Prints what the
+// display scrolls, "reset", the largest PWM of each wheel while it drives, and whether both turned at once.
 constexpr const char* with_buttons = R"py(
 import sys, types
-class Done(Exception): pass
-states = [tuple(c == "1" for c in word) for word in sys.argv[2:]]
-step = [0]
+class Done(BaseException): pass
+class Reset(BaseException): pass
+moments = sys.argv[2:]
+state = {"a": False, "b": False, "eye": 300}
 largest = {8: 0, 16: 0}
 now = {8: 0, 16: 0}
 both = [False]
+def look():
+    while moments and moments[0].isdigit(): state["eye"] = int(moments.pop(0))
+    if not moments: raise Done
+    word = moments.pop(0)
+    state["a"] = word in ("a", "both")
+    state["b"] = word in ("b", "both")
 class Pin:
     def __init__(self, i): self.i = i
-    def read_analog(self): return 300
+    def read_analog(self): return state["eye"]
     def write_analog(self, value):
         largest[self.i] = max(largest[self.i], value)
         now[self.i] = value
@@ -228,52 +241,77 @@ class Pin:
     def write_digital(self, value): pass
     def set_analog_period(self, ms): pass
 class Button:
-    def __init__(self, i): self.i = i
-    def was_pressed(self): return states[step[0]][self.i]
-    def is_pressed(self): return states[step[0]][2]
+    def __init__(self, name): self.name = name
+    def was_pressed(self):
+        if self.name == "a": look()
+        return state[self.name]
+    def is_pressed(self): return state[self.name]
 class Display:
-    def show(self, image): pass
+    def show(self, image): print(image, end=" ")
     def clear(self): pass
-    def scroll(self, text):
-        print(text)
-        raise Done
-class Image: HAPPY = "happy"
-def think(*sensors):
-    step[0] += 1
-    if step[0] == len(states): raise Done
-    return 1, 1
-for name, content in {
-        "microbit": dict({"pin%d" % i: Pin(i) for i in range(17)}, button_a=Button(0), button_b=Button(1),
-                         display=Display(), Image=Image, sleep=lambda ms: None),
-        "brain": {"RATE_HZ": 50, "think": think},
-        "utime": {"ticks_ms": lambda: 0, "ticks_diff": lambda a, b: 0}}.items():
+    def scroll(self, text, delay=150): print(text, end=" ")
+class Image: HAPPY = ":)"
+def sleep(ms):
+    if ms == 20: look()
+def reset(): raise Reset
+module = types.ModuleType("microbit")
+module.__dict__.update({"pin%d" % i: Pin(i) for i in range(17)}, button_a=Button("a"), button_b=Button("b"),
+                       display=Display(), Image=Image, sleep=sleep, reset=reset)
+sys.modules["microbit"] = module
+for name, content in {"brain": {"RATE_HZ": 1000, "think": lambda *sensors: (1, 1)},
+                      "utime": {"ticks_ms": lambda: 0, "ticks_diff": lambda a, b: 0}}.items():
     sys.modules[name] = types.ModuleType(name)
     sys.modules[name].__dict__.update(content)
+sys.path.insert(0, ".")
 try:
     exec(open(sys.argv[1]).read(), {})
 except Done:
-    pass
+    print("end", end=" ")
+except Reset:
+    print("reset", end=" ")
 print(largest[8], largest[16], "both" if both[0] else "")
 )py";
 
-TEST(Micropython, TurnsOneWheelAfterTheOtherAtMinimumWithBothButtonsAndDrivesWithOne) {
+TEST(Micropython, CalibratesByItsButtonsKeepsTheValuesAndDrivesWithThem) {
     const Folder folder;
     put_text(folder / "buttons.py", with_buttons);
-    std::string main = file_of(*exported({"2a-coward", find_preset("2a-coward")->brain, {}}), "main.py");
-    put_text(folder / "main.py", main);
-    const auto printed = [&](const std::string& states) {
-        const Ran ran = shell(fmt::format("cd '{}' && python3 buttons.py main.py {}", folder.path.string(), states));
+    const auto files = exported({"2a-coward", find_preset("2a-coward")->brain, {}});
+    for (const char* name : {"main.py", "calibrate.py"}) put_text(folder / name, file_of(*files, name));
+    const auto printed = [&](const std::string& moments) {
+        const Ran ran =
+            shell(fmt::format("cd '{}' && python3 -B buttons.py main.py {}", folder.path.string(), moments));
         EXPECT_EQ(ran.code, 0) << ran.out;
         return ran.out;
     };
-    EXPECT_EQ(printed("000 000"), "0 0 \n");
-    EXPECT_EQ(printed("101 000 000"), "180 180 \n") << "both buttons";
-    EXPECT_EQ(printed("100 000 000"), "1023 1023 both\n") << "button A";
-    EXPECT_EQ(printed("011 000 000"), "[300, 300]\n0 0 \n") << "button B";
-    const std::string bright = "BRIGHT = [900, 900]";
-    ASSERT_NE(main.find(bright), std::string::npos);
-    put_text(folder / "main.py", main.replace(main.find(bright), bright.size(), "BRIGHT = [900, 100]"));
-    EXPECT_EQ(printed("000 000"), "P1: DARK = BRIGHT\n0 0 \n");
+    // The press before is forgotten.
+    const std::string asked = "none a ";
+    const std::string sensors = "100 " + asked + "110 " + asked + "100 " + asked + "900 " + asked + "90 " + asked +
+                                "800 " + asked,
+                      wheels = asked + "none none a " + asked + "none none none a ",
+                      run = asked + "none a a " + asked + "none both both none";
+    EXPECT_EQ(printed(sensors + wheels + run),
+              "P0: 0 P0: 1 P0: 0 = 1 P0: 0 P0: 1 P1: 0 P1: 1 L R GO ? GO ? reset 617 618 both\n");
+    const auto numbers = text_of(folder / "calibration.txt");
+    EXPECT_TRUE(numbers.ends_with(" 100 90 900 800 8 12 1023 1003")) << numbers;
+    EXPECT_EQ(printed("none none"), ":) end 0 0 \n") << "the kept values";
+    EXPECT_EQ(printed("none a none"), ":) :) end 1023 1003 both\n") << "button A";
+    EXPECT_EQ(printed("b none"), ":) [300, 300]\nend 0 0 \n") << "button B";
+    put_text(folder / "calibration.txt", numbers.substr(0, 12));
+    EXPECT_EQ(printed("none a"), "P0: 0 end 0 0 \n") << "a file that was cut";
+}
+
+TEST(MicropythonOnMicrobit, KeepsItsCalibrationInAFileOfTheBoard) {
+    if (!has_tool("firmware-microbit-micropython")) GTEST_SKIP() << "./dev robots installs an emulator and MicroPython";
+    const Folder folder;
+    const BrainToExport brain{"", make_graph({.LL = 1, .RR = 1}), {}};
+    const auto files = exported(brain);
+    ASSERT_TRUE(files);
+    put_text(folder / "calibrate.py", file_of(*files, "calibrate.py"));
+    const Ran ran = shell(fmt::format("python3 '{}/microbit_calibrate.py' '{}'", BRAITENLAB_SOURCE "/tests/robots/run",
+                                      (folder / "calibrate.py").string()));
+    EXPECT_EQ(ran.code, 0) << ran.out;
+    const unsigned mark = robots::arduino::calibration_mark(*robots::make_plan(brain, 50));
+    EXPECT_EQ(ran.out, fmt::format("{} 100 100 900 900 0 0 1023 1023\n", mark));
 }
 
 TEST(Micropython, ListsPartsThatWorkAtThreeVoltsInEveryFile) {
