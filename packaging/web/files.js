@@ -62,7 +62,7 @@ const files = {
             if (files.unstored.delete(path) && !files.unstored.size) notice.close("full");
         } else {
             files.unstored.add(path);
-            notice.open("full", words.full, words.download, files.downloadLosses);
+            notice.open("full", words.full, words.download.both, files.downloadLosses);
         }
     },
 
@@ -90,18 +90,27 @@ const files = {
     // The names say what they are; the lab reads them again when they are dropped onto it.
     downloadLosses() {
         files.leave();
+        const names = [];
         for (const path of files.losses()) {
             const bytes = files.FS.readFile(path);
             const own = path.slice(path.lastIndexOf("/") + 1).replace(/\.json$/, "");
             const name = path.endsWith(".autosave") ? `${JSON.parse(textOf(bytes)).autosave.name || "work"}.run`
                 : `braitenlab-progress${own === "this-computer" ? "" : `-${own}`}.json`;
             files.download(bytes, name);
+            names.push(name);
         }
+        if (files.tellsLosses()) element("notice-text").textContent = words.downloaded.replace("{}", names.join(", "));
     },
 
-    // A notice about what is not kept has its button while there is something to download.
+    // True while the notice is about what is not kept. In a frame that of a download may follow it.
+    tellsLosses: () => ["unkept", "full"].includes(notice.shown),
+
+    // A notice about what is not kept has its button, which names what it downloads, while there is something.
     offerLosses() {
-        if (["unkept", "full"].includes(notice.shown)) element("notice-act").hidden = !files.losses().length;
+        if (!files.tellsLosses()) return;
+        const losses = files.losses(), runs = losses.filter((path) => path.endsWith(".autosave")).length;
+        element("notice-act").hidden = !losses.length;
+        element("notice-act").textContent = words.download[!runs ? "progress" : runs === losses.length ? "run" : "both"];
     },
 
     // The browser may end the page without another event: the lab saves its work now.
@@ -194,7 +203,7 @@ const files = {
     // From the start of the program on.
     follow() {
         if (!storage.shelf) {
-            notice.open("unkept", words.unkept, words.download, files.downloadLosses);
+            notice.open("unkept", words.unkept, words.download.both, files.downloadLosses);
             notice.offerWindow();
         }
         files.offerLosses();

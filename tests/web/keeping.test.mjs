@@ -321,8 +321,10 @@ test("Progress and work that a page does not keep are downloaded, and read again
             const file = await download.path();
             saved[download.suggestedFilename()] = await readFile(file, "utf8");
         });
+        assert.equal(await lab.page.innerText("#notice-act"), "Download progress and run");
         await lab.page.click("#notice-act");
         await eventually(lab, () => Object.keys(saved).length === 2, "two downloads");
+        for (const name in saved) assert.ok((await noticeText(lab)).includes(name), `the page names ${name}`);
     }, { init: refuseStorage });
     assert.deepEqual(Object.keys(saved).sort(), ["01-drive.run", "braitenlab-progress.json"]);
     await withLab("?open=2a-coward", async (lab) => {
