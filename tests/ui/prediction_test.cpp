@@ -1,6 +1,7 @@
 // The prediction on the exercise card, the path drawn on the floor, and the run with the solution.
 #include "ui/panels/course/prediction.h"
 
+#include <algorithm>
 #include <functional>
 
 #include "exercise_on_desk.h"
@@ -308,6 +309,23 @@ TEST(PredictionPart, OffersToCompareAfterThePredictionOnceTheFirstRunHasEnded) {
     EXPECT_TRUE(desk.says("changed by hand"));
     desk.click("exercise.compare");
     EXPECT_FALSE(desk.last<CompareRequest>()->on);
+}
+
+TEST(PredictionPart, ItsTicksAndItsWordsAreInTheRowOfTheStepsForAFinger) {
+    Desk desk(512, 1024, 1, true);
+    desk.view.program.touch = true, desk.view.program.finger = 44;
+    desk.open_exercise();
+    predict_and_run(desk, 1);
+    desk.lesson.attempt.work.runs = 2;
+    desk.lesson.verdicts[0].done = true;
+    desk.frame(4);
+    const auto heading = std::find_if(desk.written.begin(), desk.written.end(), [&](const ui::Written& each) {
+        return each.words == desk.strings("exercise.steps");
+    });
+    ASSERT_NE(heading, desk.written.end());
+    const auto middle = [](const Rect& rect) { return rect.y + rect.h / 2; };
+    EXPECT_NEAR(middle(desk.where("exercise.step.1")), middle(heading->rect), 2);
+    EXPECT_TRUE(desk.says(std::string(desk.strings("exercise.compare"))));
 }
 
 TEST_F(PathPrediction, TheGhostIsDrawnAndCannotBeSelected) {

@@ -158,7 +158,7 @@ void full_steps(const LabView& view, PanelState& state, Ui& ui) {
     } else {
         subheading(ui, ui.strings("exercise.steps"));
     }
-    comparison(view, ui, heading, true);
+    comparison(view, ui, heading, card_width(ui));
     notes_on_run(lesson, ui);
     const float space = ui.px(has_passed(lesson) ? spacing::tight : spacing::small);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(spacing::small), space});
@@ -250,11 +250,13 @@ void heading_with_ticks(const LabView& view, Ui& ui) {
     put(ui, {heading.x, heading.y + (height - line_height(ui, Face::small)) / 2}, words, ui.palette.second_text,
         Face::small);
     const float button = can_compare(view) ? ui.px(28 + spacing::small) : 0.0f;
-    ticks_of_steps(*view.lesson, {heading.x + text_width(ui, Face::small, words) + ui.px(spacing::small), heading.y},
-                   right - button, ui);
+    const float ticks = heading.x + text_width(ui, Face::small, words) + ui.px(spacing::small);
+    ticks_of_steps(*view.lesson, {ticks, heading.y + (height - ui.px(compact_row)) / 2}, right - button, ui);
     ImGui::SetCursorScreenPos(heading);
     ImGui::Dummy({card_width(ui), height});
-    comparison(view, ui, {heading.x, heading.y + (height - line_height(ui, Face::small)) / 2}, false);
+    const float most_ticks = ui.px(compact_row) * static_cast<float>(view.lesson->exercise->steps.size());
+    comparison(view, ui, {heading.x, heading.y + (height - line_height(ui, Face::small)) / 2},
+               right - ticks - most_ticks);
 }
 
 // In a low card: what is done as ticks beside the heading, one open step in full, of the others a line. Its gauges

@@ -256,12 +256,13 @@ void prediction(const LabView& view, PanelState& state, Ui& ui) {
     gap(ui, 12);
 }
 
-void comparison(const LabView& view, Ui& ui, ImVec2 heading, bool words) {
+void comparison(const LabView& view, Ui& ui, ImVec2 heading, float room) {
     if (!can_compare(view)) return;
     const LessonView& lesson = *view.lesson;
     const ImVec2 below = ImGui::GetCursorScreenPos();
     const SmallButton look{"exercise.compare", icon::outlines, ui.strings("exercise.compare"),
                            lesson.attempt.work.compares};
+    const bool words = small_button_width(ui, look, true) <= room;
     const float w = small_button_width(ui, look, words), h = ui.px(ui.tall(small_button_height));
     ImGui::SetCursorScreenPos({heading.x + card_width(ui) - w, heading.y + (line_height(ui, Face::small) - h) / 2});
     const Item at = small_button(ui, look, words);
