@@ -620,4 +620,32 @@ TEST_F(DrawInsight, TheDashedEdgeSaysWhatHappensThere) {
     EXPECT_FALSE(says());
 }
 
+TEST_F(DrawInsight, TheWordsAboveTheDashedEdgeAreNeverBelowTheTools) {
+    auto scene = std::make_shared<Scene>(*desk.now.scene);
+    scene->arena.edge = Boundary::torus;
+    desk.now.scene = scene;
+    desk.frame();
+    const auto caption = [&] {
+        const auto found = std::find_if(desk.written.begin(), desk.written.end(), [&](const ui::Written& each) {
+            return desk.strings("scene_input.torus").starts_with(each.words);
+        });
+        return found == desk.written.end() ? std::optional<Rect>{} : found->rect;
+    };
+    ASSERT_TRUE(caption());
+    int seen = 0;
+    for (float zoom = 0.6f; zoom < 2.4f; zoom += 0.05f)
+        for (float azimuth = -0.6f; azimuth < 0.7f; azimuth += 0.1f) {
+            Camera camera;
+            camera.zoom = zoom, camera.azimuth += azimuth;
+            camera_view = look(camera, scene->arena, nullptr, {0, 0, 1280, 800}, desk.layout.scene);
+            desk.frame();
+            const auto words = caption();
+            if (!words) continue;
+            ++seen;
+            for (const auto& [id, rect] : desk.anchors.all())
+                if (id.starts_with("tool.")) EXPECT_FALSE(rect.overlaps(*words)) << id << " at zoom " << zoom;
+        }
+    EXPECT_GT(seen, 20);
+}
+
 }  // namespace braitenlab::tests::draw_insight_test

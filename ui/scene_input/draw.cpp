@@ -58,12 +58,19 @@ private:
         const float line = line_height(ui_, Face::label), height = line * static_cast<float>(lines.size());
         float y = edge->y - height - ui_.px(spacing::small);
         if (y < room.y || edge->y > room.y + room.h) return;  // the edge is outside the picture
+        float width = 0;
+        for (const std::string& words : lines) width = std::max(width, text_width(ui_, Face::label, words));
+        const float most = room.x + room.w - ui_.px(spacing::small) - width / 2;
+        const float least = room.x + ui_.px(spacing::small) + width / 2;
+        float x = std::clamp(edge->x, least, std::max(least, most));
+        // What covers the scene there, such as the tools, has the words beside it, or there is no room for them.
+        if (frame_.labels)
+            for (const Rect& taken : frame_.labels->labels())
+                if (taken.overlaps({x - width / 2, y, width, height}))
+                    if ((x = taken.x + taken.w + ui_.px(spacing::small) + width / 2) > most) return;
         for (const std::string& words : lines) {
-            const float width = text_width(ui_, Face::label, words), middle = room.x + room.w / 2;
-            const float least = room.x + ui_.px(spacing::small);
-            const float x =
-                std::clamp(edge->x, least + width / 2, std::max(least + width / 2, 2 * middle - least - width / 2));
-            put_on(list_, ui_, {std::floor(x - width / 2), y}, words, ui_.palette.second_text, Face::label);
+            put_on(list_, ui_, {std::floor(x - text_width(ui_, Face::label, words) / 2), y}, words,
+                   ui_.palette.second_text, Face::label);
             y += line;
         }
     }
