@@ -183,6 +183,14 @@ TEST_F(WiringEdits, CopyAndPasteMakeANeuronOfTheSameKindAtTheMouse) {
     EXPECT_GT(maths::distance(middle("node.N3"), middle("node.N2")), 20) << "a second copy does not hide the first";
 }
 
+TEST_F(WiringEdits, ANeuronThatIsAddedAtTheRimIsWhollyInSight) {
+    add_neuron_at({470, area.y + area.h - 4});
+    frames(2);
+    const Rect* node = anchors.find("node.N1");
+    ASSERT_TRUE(node);
+    EXPECT_LE(node->y + node->h, area.y + area.h - 4);
+}
+
 TEST_F(WiringEdits, APastedNeuronDoesNotOverlapOtherNodes) {
     add_neuron_at({470, 625});
     click(middle("node.N1"));

@@ -31,6 +31,15 @@ vec2 room_of(const BrainFragment& fragment) {
     return reach * 2 + room_of_neuron();
 }
 
+// The centre nearest to `at` with the whole room of a neuron in sight.
+vec2 kept_in_sight(const CanvasState& state, const CanvasFrame& frame, vec2 at) {
+    const View view = view_of(state, frame);
+    const Rect& area = frame.area;
+    const vec2 rim = room_of_neuron() / 2, low = view.to_canvas({area.x, area.y}) + rim,
+               high = view.to_canvas({area.x + area.w, area.y + area.h}) - rim;
+    return {std::clamp(at.x, low.x, std::max(low.x, high.x)), std::clamp(at.y, low.y, std::max(low.y, high.y))};
+}
+
 // Pastes the fragment at the free position nearest to `wanted`.
 void paste_at(CanvasState& state, const CanvasFrame& frame, const BrainFragment& fragment, vec2 wanted,
               Outbox& outbox) {
@@ -154,7 +163,8 @@ void add_chosen(CanvasState& state, const CanvasFrame& frame, const CanvasMenu& 
     if (!edit) return show_refusal(state, frame, edit.refusal);
     // The new neuron's pin is where the wire was dropped, if that place is free.
     const float half = card_size(NodeKind::neuron).x / 2, aside = !loose ? 0.0f : outwards ? half : -half;
-    const vec2 place = free_position(frame.layout, menu.canvas_at + vec2{aside, 0}, room_of_neuron());
+    const vec2 wanted = kept_in_sight(state, frame, menu.canvas_at + vec2{aside, 0});
+    const vec2 place = free_position(frame.layout, wanted, room_of_neuron());
     send_with_added(state, frame, std::move(*edit.graph), fresh, place, outbox);
 }
 
