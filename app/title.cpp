@@ -4,6 +4,7 @@
 #include "app/lab_selection.h"
 #include "app/playback.h"
 #include "app/viewport.h"
+#include "ui/panels/title_page.h"
 
 namespace braitenlab {
 
@@ -11,7 +12,7 @@ namespace {
 
 constexpr const char* title_scene = "moth-and-hunter";
 constexpr int ticks_before = 5 * 60;  // the paths are then long enough to be seen
-constexpr float title_elevation = 0.55f, title_zoom = 1.25f, words_share = 0.42f;
+constexpr float title_elevation = 0.55f, title_zoom = 1.25f;
 
 }  // namespace
 
@@ -41,7 +42,9 @@ void advance_title(Lab& title, float seconds) {
 }
 
 Rect title_area(Rect window) {
-    return {window.x + words_share * window.w, window.y, (1 - words_share) * window.w, window.h};
+    const float words = ui::title_words_share;
+    if (window.h > window.w) return {window.x, window.y + words * window.h, window.w, (1 - words) * window.h};
+    return {window.x + words * window.w, window.y, (1 - words) * window.w, window.h};
 }
 
 }  // namespace braitenlab

@@ -16,7 +16,7 @@ std::optional<Lab> title_lab(const std::function<void(const Snapshot&)>& seen);
 // Lets the scene and its camera move for so many seconds of wall time; does nothing if motion is reduced.
 void advance_title(Lab& title, float seconds);
 
-// The part of the window that the scene is fitted into: right of the words.
+// The part of the window that the scene is fitted into: right of the words, in an upright one below them.
 Rect title_area(Rect window);
 
 }  // namespace braitenlab

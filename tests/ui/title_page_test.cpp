@@ -1,4 +1,6 @@
 // The title page of the first start.
+#include "ui/panels/title_page.h"
+
 #include "desk.h"
 
 namespace braitenlab::tests::title_page_test {
@@ -28,6 +30,16 @@ TEST(TitlePage, ShowsTheNameASentenceAndOneButtonAndNothingElse) {
             }
             EXPECT_EQ(desk.written.front().words, "Braitenlab");
         }
+}
+
+TEST(TitlePage, ItsWordsAreAboveTheSceneOfAnUprightWindow) {
+    for (const auto& [width, height] : {std::pair{512.0f, 1024.0f}, {640.0f, 1280.0f}, {768.0f, 1024.0f}}) {
+        Desk desk(width, height, 1, true);
+        desk.view.program.title_page = true;
+        desk.frame(2);
+        const Rect button = desk.where("title.begin");
+        EXPECT_LT(button.y + button.h, ui::title_words_share * height) << width;
+    }
 }
 
 TEST(TitlePage, ItsButtonIsHighEnoughForAFingerAlsoWhereThePageIsReduced) {
