@@ -69,6 +69,7 @@ void follow_notes_page(Lab& lab, const Strings& strings, const std::string& lang
     if (const auto error = writer.commit()) return say(lab, *error);
     if (!opens) return;
     const bool is_open = open(file);
+    if (is_open && lab.pages) lab.pages->notes = false;
     if (is_open && saves_by_download()) return say(lab, {NoticeKind::done, "notice.notes_page"});
     if (saves_by_download()) return say(lab, {NoticeKind::notice, "notice.notes_page_refused"});
     lab.window.to_copy = file.string();  // also where a browser was opened: the system does not tell whether it appears

@@ -16,7 +16,8 @@ struct Lab;
 // second.
 std::string notes_page(const LectureView&, const Strings&, const std::string& language, Theme);
 
-// Call once per turn. After Lab::opens_notes: writes the page into the folder and opens it with the system's browser.
+// Call once per turn. After Lab::opens_notes: writes the page into the folder and opens it with the system's browser;
+// the notes then leave the window.
 // Shows a notice with its path, in a browser with the reason of a failure (see open_with_system()). From then on writes
 // it whenever it has changed; after the lecture it says so, and a later lecture goes on with it. Without a folder it
 // does nothing.

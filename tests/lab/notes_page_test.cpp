@@ -93,5 +93,19 @@ TEST_F(NotesPage, IsWrittenOnRequestAndFollowsTheLecture) {
     EXPECT_FALSE(lab.window.opens_notes) << "there is no lecture";
 }
 
+TEST_F(NotesPage, TakesTheNotesOutOfTheLabsWindowOnceItIsOpen) {
+    const auto ask_and_open = [&](bool (*open)(const fs::path&)) {
+        handle(lab, Action::notes_page);
+        follow_notes_page(lab, strings, "en", folder / "state", open);
+        return lab.pages->notes;
+    };
+    handle(lab, Action::notes);
+    EXPECT_TRUE(ask_and_open([](const fs::path&) { return false; })) << "the browser has refused its window";
+    EXPECT_FALSE(ask_and_open([](const fs::path&) { return true; }));
+    handle(lab, Action::notes);
+    turn();
+    EXPECT_TRUE(lab.pages->notes) << "N shows them again";
+}
+
 }  // namespace
 }  // namespace braitenlab::tests::notes_page_test
