@@ -8,6 +8,7 @@
 
 #include "app/files/data.h"
 #include "core/io/link.h"
+#include "core/lesson/submission.h"
 #include "core/messages.h"
 #include "core/plain_letters.h"
 #include "core/scene/nearest.h"
@@ -22,23 +23,30 @@ std::string name_of_title(const std::string& title) {
     return name.empty() ? "link" : name;
 }
 
+// True if the student has changed the vehicle of the open exercise.
+bool is_changed(const Document& document) {
+    const Exercise& exercise = *document.lesson->exercise;
+    return is_edited(exercise, submission_of(exercise, document.session.snapshot()));
+}
+
 }  // namespace
 
 void copy_link(Lab& lab) {
     const Document& document = lab.document;
-    const bool is_exercise = document.lesson && ships(document.path);
-    lab.window.to_copy = lab.link_base + (is_exercise ? io::encode_exercise_link(document.path.stem().string())
-                                                      : io::encode_link(scene_to_keep(document)));
+    const bool is_exercise = document.lesson && ships(document.path), has_work = is_exercise && is_changed(document);
+    const bool names_exercise = is_exercise && !has_work;
+    lab.window.to_copy = lab.link_base + (names_exercise ? io::encode_exercise_link(document.path.stem().string())
+                                                         : io::encode_link(scene_to_keep(document)));
     const std::size_t length = lab.window.to_copy.size();
     const std::string characters = std::to_string(length);
-    if (is_exercise)
+    if (names_exercise)
         say(lab, {NoticeKind::done, "notice.link_exercise", characters});
     else if (length > io::longest_useful_link)
         say(lab, {NoticeKind::notice, "notice.link_too_long", characters, std::to_string(io::longest_useful_link)});
     else if (length > io::safe_link)
         say(lab, {NoticeKind::notice, "notice.link_long", characters, std::to_string(io::safe_link)});
     else
-        say(lab, {NoticeKind::done, "notice.link", characters});
+        say(lab, {NoticeKind::done, has_work ? "notice.link_work" : "notice.link", characters});
 }
 
 Result<Document> linked_document(Scene scene, std::uint64_t seed) {

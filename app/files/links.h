@@ -10,8 +10,8 @@
 
 namespace braitenlab {
 
-// Puts a link to the open document into Lab::to_copy and shows its length as a notice: of a shipped exercise its name,
-// of anything else its scene with all edits.
+// Puts a link to the open document into Lab::to_copy and shows its length as a notice: of a shipped exercise its name
+// while its vehicle is as given, of anything else the scene with all edits.
 void copy_link(Lab&);
 
 // The document of a link's scene, its run with this seed: without a file, named like its title.

@@ -116,6 +116,17 @@ TEST_F(Links, ToAShippedExerciseHaveItsName) {
     EXPECT_EQ(lab.document.lesson->exercise->id, "05-aggressor");
 }
 
+TEST_F(Links, HoldTheStudentsBrainOnceTheVehicleOfAnExerciseIsChanged) {
+    lab = open("05-aggressor");
+    edit(1.25f);
+    const std::string link = copied();
+    EXPECT_EQ(lab.notice.key, "notice.link_work");
+    lab = open("3a-love");
+    ask(OpenRequest{link});
+    EXPECT_EQ(LR(), 1.25f);
+    EXPECT_FALSE(lab.document.lesson);
+}
+
 TEST_F(Links, ThatChatProgramsCutAreReported) {
     // Random digits cannot be compressed much.
     const auto with_story = [&](std::size_t length) {
