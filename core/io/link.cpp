@@ -18,7 +18,7 @@ namespace braitenlab::io {
 namespace {
 
 constexpr std::string_view alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
-constexpr std::string_view link_file = "link";  // in place of a file's name in messages
+constexpr std::string_view link_file = "link";  // in place of a file's name in messages about the scene's text
 constexpr int link_version = 1;
 
 std::string base64url(std::string_view bytes) {
@@ -62,12 +62,10 @@ std::string deflated(std::string_view text) {
     return bytes;
 }
 
-Error link_error(Message message) { return error_of(std::move(message), std::string(link_file)); }
-
 // At most limits::file_bytes, whatever the compressed bytes ask for.
 Result<std::string> inflated(const std::string& bytes) {
     z_stream stream{};
-    if (inflateInit(&stream) != Z_OK) return link_error(message_of("link_damaged"));
+    if (inflateInit(&stream) != Z_OK) return error_of(message_of("link_damaged"));
     stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));  // zlib does not write to it
     stream.avail_in = static_cast<uInt>(bytes.size());
     std::string text;
@@ -80,10 +78,18 @@ Result<std::string> inflated(const std::string& bytes) {
         text.append(part.data(), part.size() - stream.avail_out);
     }
     inflateEnd(&stream);
-    if (text.size() > limits::file_bytes) return link_error(message_of("link_too_large", limits::file_bytes >> 20u));
-    if (state == Z_BUF_ERROR) return link_error(message_of("link_incomplete"));
-    if (state != Z_STREAM_END) return link_error(message_of("link_damaged"));
+    if (text.size() > limits::file_bytes) return error_of(message_of("link_too_large", limits::file_bytes >> 20u));
+    if (state == Z_BUF_ERROR) return error_of(message_of("link_incomplete"));
+    if (state != Z_STREAM_END) return error_of(message_of("link_damaged"));
     return text;
+}
+
+// What follows the address, from '#' on; empty if the text before '#' is no address.
+std::string_view from_hash(std::string_view text) {
+    text = trimmed(text, " \t\r\n");
+    const std::size_t hash = text.find('#');
+    const bool has_address = hash == 0 || text.substr(0, hash).find("://") != std::string_view::npos;
+    return hash == std::string_view::npos || !has_address ? std::string_view{} : text.substr(hash);
 }
 
 // A link from '#' on, split: "b", "1" and the rest.
@@ -93,11 +99,9 @@ struct LinkParts {
 };
 
 std::optional<LinkParts> split_link(std::string_view text) {
-    text = trimmed(text, " \t\r\n");
-    const std::size_t hash = text.find('#');
-    if (hash == std::string_view::npos || (hash > 0 && text.substr(0, hash).find("://") == std::string_view::npos))
-        return std::nullopt;
-    text.remove_prefix(hash + 1);
+    text = from_hash(text);
+    if (text.empty()) return std::nullopt;
+    text.remove_prefix(1);
     const std::size_t dot = text.find('.');
     if (dot == std::string_view::npos || dot < 2 || dot > 4 || (text[0] != 'b' && text[0] != 'e')) return std::nullopt;
     const LinkParts parts{text[0], text.substr(1, dot - 1), text.substr(dot + 1)};
@@ -120,18 +124,18 @@ std::string encode_exercise_link(std::string_view name) { return fmt::format("#e
 
 Result<Linked> decode_link(std::string_view text) {
     const auto parts = split_link(text);
-    if (!parts) return link_error(message_of("no_link"));
+    if (!parts) return error_of(begins_like_link(from_hash(text)) ? message_of("link_damaged") : message_of("no_link"));
     if (parts->version != std::to_string(link_version))
-        return link_error(message_of("link_version", std::string(parts->version), link_version));
+        return error_of(message_of("link_version", std::string(parts->version), link_version));
     // No scene that fits needs more characters.
     if (parts->content.size() > 2 * limits::file_bytes)
-        return link_error(message_of("link_too_large", limits::file_bytes >> 20u));
+        return error_of(message_of("link_too_large", limits::file_bytes >> 20u));
     if (parts->content.find_first_not_of(alphabet) != std::string_view::npos)
-        return link_error(message_of("link_characters"));
-    if (parts->content.empty()) return link_error(message_of("link_incomplete"));
+        return error_of(message_of("link_characters"));
+    if (parts->content.empty()) return error_of(message_of("link_incomplete"));
     if (parts->type == 'e') return Linked{std::string(parts->content.substr(0, limits::name_length))};
     const auto bytes = from_base64url(parts->content);
-    if (!bytes) return link_error(message_of("link_characters"));
+    if (!bytes) return error_of(message_of("link_characters"));
     const auto toml = inflated(*bytes);
     if (!toml) return toml.error();
     auto scene = parse_scene(*toml, std::string(link_file));
