@@ -92,11 +92,13 @@ Result<Opened> open_asked(const Options& options) {
 
 // If FILE cannot be opened, opens another document and shows the error in the window, because there is no terminal
 // after a double click on the file. With --screenshot, --clip or --set it fails, because a script must not get another
-// scene.
+// scene; and for a name in the address of a page, which then offers to start without it.
 Result<Opened> open_at_start(const Options& options, Settings& settings) {
     if (options.file.empty()) return open_usual(options, settings);
     auto asked = open_asked(options);
-    if (asked || options.only_draws() || !options.settings.empty()) return asked;
+    // Else it is a link, or the path of a lecture that a reload opens again.
+    const bool is_name_in_address = is_on_page() && options.file.find_first_of("#/") == std::string::npos;
+    if (asked || options.only_draws() || !options.settings.empty() || is_name_in_address) return asked;
     complain(asked.error());
     auto instead = open_usual(options, settings);
     settings.errors.push_back(asked.error());  // the window shows the last error first

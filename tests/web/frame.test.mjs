@@ -70,15 +70,17 @@ test("While it loads the page tells the share of the bytes", limit, async () => 
 });
 
 test("An option of the address that the lab does not know is named, and the lab starts without it", limit, async () => {
-    for (const [option, named] of [["camera=drivr", /drivr/], ["lang=fr", /fr/]]) {
+    for (const [option, named] of [["camera=drivr#e1.05-aggressor", /drivr/], ["lang=fr#e1.05-aggressor", /fr/],
+        ["open=3a-lov", /3a-lov/]]) {
         const context = await labs.browser.newContext({ locale: "en-US" });
         const page = await context.newPage();
-        await page.goto(`${labs.server.address}?${option}#e1.05-aggressor`);
+        await page.goto(`${labs.server.address}?${option}`);
         await page.waitForSelector("#again:not([hidden])", { timeout: 60000 });
         assert.match(await page.innerText("#message"), named);
         await page.click("#again");
         await page.waitForFunction(() => window.braitenlab?.ready, null, { timeout: 60000 });
-        assert.equal(await page.evaluate(() => window.braitenlab.state().exercise.id), "05-aggressor");
+        assert.equal(await page.evaluate(() => window.braitenlab.state().exercise.id),
+            /05-aggressor/.exec(option)?.[0] ?? "01-drive");
         await context.close();
     }
 });
