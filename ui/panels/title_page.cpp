@@ -65,7 +65,7 @@ void title_page(const LabView& view, Ui& ui, Rect window) {
     for (const std::string& each : lines) widest = std::max(widest, text_width(ui, Face::title, each));
     const float name = line_height(ui, Face::display), line = line_height(ui, Face::title);
     // For a finger, before one has touched the window: a telephone shows it reduced.
-    const float button = std::max(least_begin_height, view.program.finger / ui.px(1));
+    const float button = std::max(least_begin_height, std::ceil(view.program.finger) / ui.px(1));
     const float height =
         name + ui.px(below_name) + static_cast<float>(lines.size()) * line + ui.px(above_button + button);
     const bool upright = window.h > window.w;
