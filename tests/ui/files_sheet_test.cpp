@@ -301,10 +301,10 @@ TEST_F(FilesSheet, SaysThatAFolderHasNoFileOfTheKindToSave) {
     desk.panels.sheet = Sheet::files;
     desk.frame(3);
     EXPECT_EQ(said("There is no file of this kind here."), 1);
-    EXPECT_EQ(said("Nothing here that the lab can read."), 0);
+    EXPECT_EQ(said("No file of the lab is saved here yet."), 0);
     files.listing.entries.clear();
     desk.frame(3);
-    EXPECT_EQ(said("Nothing here that the lab can read."), 1);
+    EXPECT_EQ(said("No file of the lab is saved here yet."), 1);
 }
 
 TEST_F(FilesSheet, KeepsThePositionOfItsTabsForEachTab) {
