@@ -34,8 +34,8 @@ struct Linked {
 };
 
 // Reads a link with or without an address before '#'. Fails with the reason: no link, a later version, characters that
-// a link does not have, an incomplete or damaged link (also one that is broken before its version), a scene larger than limits::file_bytes; and as parse_scene()
-// does, with the line of the scene's text.
+// a link does not have, an incomplete or damaged link (also one that is broken before its version), a scene larger
+// than limits::file_bytes; and as parse_scene() does, with the line of the scene's text.
 Result<Linked> decode_link(std::string_view text);
 
 }  // namespace braitenlab::io

@@ -19,8 +19,8 @@ void prediction(const LabView&, PanelState&, Ui&);
 bool is_about_end(const Exercise&);
 
 // The button that shows the run with the solution, at the right end of the heading that begins at `heading`, and what
-// is seen then, at the cursor; where its words are wider than `room` the button is its icon. Nothing while can_compare() is false. Anchor:
-// exercise.compare. Precondition: view.lesson.
+// is seen then, at the cursor; where its words are wider than `room` the button is its icon. Nothing while
+// can_compare() is false. Anchor: exercise.compare. Precondition: view.lesson.
 void comparison(const LabView&, Ui&, ImVec2 heading, float room);
 
 // A check mark in a filled circle when done, an empty circle before: the shape differs, not only the colour. `c` and
