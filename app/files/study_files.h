@@ -84,8 +84,8 @@ private:
 Result<std::filesystem::path> write_study_files(const insight::Study&, const std::string& scene_text,
                                                 const std::filesystem::path& folder);
 
-// The path of the table beside the file of a study: NAME.csv, or NAME-2.csv … where a file has that name and is no table
-// of this study.
+// The path of the table beside the file of a study: NAME.csv, or NAME-2.csv … where a file has that name and is no
+// table of this study.
 std::filesystem::path table_of_study(const std::filesystem::path& study_file, const insight::Study&);
 
 }  // namespace braitenlab
