@@ -36,16 +36,13 @@ struct RealityCard : SceneOnDesk {
 }  // namespace
 
 TEST_F(RealityCard, BeginsATrial) {
+    EXPECT_TRUE(desk.says("gain\u00a0±20\u00a0%, noise\u00a00.010, 40\u00a0ms\u00a0late")) << "breaks at commas only";
     EXPECT_TRUE(desk.says("Wheels: speed\u00a0±10\u00a0%"));
     EXPECT_TRUE(desk.says("every 20 ms, 10 bit"));
     EXPECT_FALSE(desk.says("robots do"));
     desk.click("reality.try");
     ASSERT_TRUE(desk.last<RobotsRequest>());
     EXPECT_EQ(desk.last<RobotsRequest>()->tries, true);
-}
-
-TEST_F(RealityCard, BreaksALineOfFiguresAtACommaOnly) {
-    EXPECT_TRUE(desk.says("gain\u00a0±20\u00a0%, noise\u00a00.010,\n40\u00a0ms\u00a0late"));
 }
 
 TEST_F(RealityCard, TellsTheShareAndNamesTheWeakest) {
