@@ -65,9 +65,9 @@ private:
         float x = std::clamp(edge->x, least, std::max(least, most));
         // What covers the scene there, such as the tools, has the words beside it, or there is no room for them.
         if (frame_.labels)
-            for (const Rect& taken : frame_.labels->labels())
-                if (taken.overlaps({x - width / 2, y, width, height}))
-                    if ((x = taken.x + taken.w + ui_.px(spacing::small) + width / 2) > most) return;
+            for (const Rect& covered : frame_.labels->labels())
+                if (covered.overlaps({x - width / 2, y, width, height}))
+                    if ((x = covered.x + covered.w + ui_.px(spacing::small) + width / 2) > most) return;
         for (const std::string& words : lines) {
             put_on(list_, ui_, {std::floor(x - text_width(ui_, Face::label, words) / 2), y}, words,
                    ui_.palette.second_text, Face::label);
